@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_base_exceptions_h
+#define fiberloom_base_exceptions_h
+
+#include <stdexcept>
+#include <string>
+
+namespace fiberloom
+{
+  /** Something in the input is wrong: one line for the user, exit status 1. */
+  struct InputError : std::runtime_error
+  {
+    using std::runtime_error::runtime_error;
+  };
+
+  /** A stage cannot reach its end, or nothing can be written: status 2. */
+  struct StageFailure : std::runtime_error
+  {
+    using std::runtime_error::runtime_error;
+  };
+
+  /** The run was asked to stop; a checkpoint is on disk: status 3. */
+  struct StopRequested : std::runtime_error
+  {
+    using std::runtime_error::runtime_error;
+  };
+
+  /**
+   * What @p exception says, on one line. Of deal.II's exceptions this is the
+   * sentence that explains them, without place and stack trace.
+   */
+  std::string
+  one_line(const std::exception &exception);
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_base_parameter_catalogue_h
+#define fiberloom_base_parameter_catalogue_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace fiberloom
+{
+  /** The values an entry may have: for the parser, and in words for the user.
+   */
+  struct Allowed
+  {
+    std::shared_ptr<const dealii::Patterns::PatternBase> pattern;
+    std::string                                          text;
+
+    static Allowed
+    above(const double lower);
+
+    static Allowed
+    at_least(const double lower);
+
+    /** With both bounds. */
+    static Allowed
+    from_to(const double lower, const double upper);
+
+    /** With the lower bound, without the upper one. */
+    static Allowed
+    from_to_below(const double lower, const double upper);
+
+    static Allowed
+    any_number();
+
+    static Allowed
+    whole(const int lower, const int upper);
+
+    /** @p names separated by "|". */
+    static Allowed
+    one_of(const std::string &names);
+
+    static Allowed
+    true_or_false();
+
+    /** @p form says in words how the text is to look. */
+    static Allowed
+    text_like(const std::string &form);
+
+    /** A list with commas, of any length. */
+    static Allowed
+    list_of(const Allowed &item);
+  };
+
+  /** The shortest decimal text that reads back as the same number. */
+  std::string
+  exact_text(const double value);
+
+  /**
+   * All parameters, as they are declared: a ParameterHandler, bound to the
+   * members it fills, together with what is needed to explain them.
+   */
+  class ParameterCatalogue
+  {
+  public:
+    struct Entry
+    {
+      std::string section; // "Fabric/Warp", empty at the top
+      std::string name;
+      std::string default_value;
+      std::string allowed;
+      std::string text;
+
+      /** "Fabric/Warp/Tows" */
+      std::string
+      path() const
+      {
+        return section.empty() ? name : section + "/" + name;
+      }
+    };
+
+    void
+    enter_section(const std::string &name);
+
+    void
+    leave_section();
+
+    /**
+     * Declares entry @p name of the current section. Its default is what
+     * @p member is now, and parsing writes to @p member , which therefore has
+     * to outlive this object.
+     */
+    template <class T>
+    void
+    add(const std::string &name,
+        T                 &member,
+        const std::string &text,
+        const Allowed     &allowed);
+
+    /**
+     * Gives the entry @p path the value. Throws InputError which starts with
+     * @p origin when there is no such entry or the value is not allowed.
+     */
+    void
+    set(const std::string &path,
+        const std::string &value,
+        const std::string &origin);
+
+    /** The value in force of the entry @p path , as text. */
+    std::string
+    get(const std::string &path);
+
+    /** Null if there is none. */
+    const Entry *
+    find(const std::string &path) const;
+
+    bool
+    has_section(const std::string &path) const;
+
+    /** Says that there is none, and the nearest entry if one is near. */
+    std::string
+    explain_unknown_entry(const std::string &path) const;
+
+    /** Says that there is none, and those there are at this place. */
+    std::string
+    explain_unknown_section(const std::string &path) const;
+
+    const std::vector<Entry> &
+    entries() const
+    {
+      return all_entries;
+    }
+
+    dealii::ParameterHandler &
+    handler()
+    {
+      return prm;
+    }
+
+  private:
+    dealii::ParameterHandler prm;
+    std::vector<std::string> sections; // now entered
+    std::vector<Entry>       all_entries;
+
+    void
+    record(const std::string &name,
+           const std::string &text,
+           const Allowed     &allowed);
+  };
+
+  template <class T>
+  void
+  ParameterCatalogue::add(const std::string &name,
+                          T                 &member,
+                          const std::string &text,
+                          const Allowed     &allowed)
+  {
+    // add_parameter() writes defaults with six digits, too few to repeat a run
+    if constexpr (std::is_same<T, double>::value)
+      {
+        prm.declare_entry(name, exact_text(member), *allowed.pattern, text);
+        prm.add_action(name, [&member](const std::string &value) {
+          member = std::strtod(value.c_str(), nullptr);
+        });
+      }
+    else
+      prm.add_parameter(name, member, text, *allowed.pattern);
+    record(name, text, allowed);
+  }
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_base_parameters_h
+#define fiberloom_base_parameters_h
+
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fiberloom
+{
+  class ParameterCatalogue;
+
+  /**
+   * One family of tows, warp or fill. Lengths in mm, moduli in MPa. A value
+   * of zero for an entry marked "automatic" is resolved by
+   * Parameters::resolve().
+   */
+  struct TowParameters
+  {
+    bool                      same_as_warp = false;
+    unsigned int              tows         = 4;
+    unsigned int              fibers       = 7;
+    std::vector<unsigned int> layers;                // automatic when empty
+    double                    fiber_radius  = 0.008; // [mm]
+    double                    fiber_spacing = 2.06;  // over the radius
+    double                    tow_spacing   = 0.24;  // [mm]
+    double overhang = 0; // [mm], automatic: half a spacing of the crossing tows
+    double young_modulus            = 73000; // [MPa]
+    double poisson_ratio            = 0.22;
+    unsigned int elements_per_fiber = 0; // automatic
+  };
+
+  struct FabricParameters
+  {
+    std::string   pattern = "plain";
+    TowParameters warp;
+    TowParameters fill;
+  };
+
+  /**
+   * Fibers that do not form a fabric: straight polylines given in the file.
+   */
+  struct FibersParameters
+  {
+    std::string  polylines;                 // "x y z, x y z; x y z, x y z" [mm]
+    double       radius             = 0.01; // [mm]
+    double       young_modulus      = 73000;
+    double       poisson_ratio      = 0.22;
+    unsigned int elements_per_fiber = 8;
+  };
+
+  /**
+   * A rigid body that holds fiber ends, and what moves or loads it. Functions
+   * depend on the load parameter t in [0, 1] of stage "load".
+   */
+  struct DriveParameters
+  {
+    std::string name;
+    std::string ends;             // "0 start, 0 end, 3 start"
+    std::string hold = "clamped"; // clamped | pinned | centers
+    std::string
+      free; // degrees of freedom of the body left free: "x y z rx ry rz"
+    std::string translation = "0; 0; 0"; // [mm] functions of t
+    std::string rotation = "0; 0; 0"; // [rad] rotation vector, functions of t
+    std::string force    = "0; 0; 0"; // [N] on free degrees of freedom
+    std::string moment   = "0; 0; 0"; // [N mm] on free degrees of freedom
+  };
+
+  struct ContactParameters
+  {
+    double friction_coefficient = 0.2;
+    double largest_penetration  = 0; // over the radius; automatic: by accuracy
+    double stations_per_element = 0; // automatic: by accuracy
+    double initial_stiffness    = 0.2;  // over E r
+    double elastic_slip         = 0.05; // over the radius
+    double search_margin        = 0.3;  // over the radius
+  };
+
+  struct WeavingParameters
+  {
+    std::string path = "automatic"; // automatic | fast | nested
+    double      step =
+      0.5; // reduction of the allowed overlap per step over the radius
+    unsigned int fast_iterations_per_step = 3;
+    unsigned int fast_end_iterations      = 25;
+  };
+
+  struct RelaxParameters
+  {
+    unsigned int steps = 5;
+  };
+
+  struct BiaxialParameters
+  {
+    double      largest_strain = 0.02;
+    double      strain_ratio = 1; // of the other direction over the leading one
+    std::string leading_direction = "fill";
+    double      first_step        = 0.1; // of the largest strain
+    double      largest_step      = 0.2; // of the largest strain
+  };
+
+  struct LoadParameters
+  {
+    double first_step   = 1.0; // of the whole load
+    double largest_step = 1.0; // of the whole load
+  };
+
+  struct SolverParameters
+  {
+    double contact_tolerance =
+      0; // over the largest contact force; automatic: by accuracy
+    double newton_tolerance =
+      1e-8; // where there is no contact, over the internal forces
+    double largest_move =
+      0.5; // per Newton iteration, over the radius; 0: unlimited
+    unsigned int largest_contact_passes    = 12;
+    unsigned int largest_normal_passes     = 6;
+    unsigned int largest_newton_iterations = 40;
+    unsigned int line_search_from          = 5;
+    double       growth                    = 1.3;
+    unsigned int largest_cuts              = 8;
+    std::string  factor_precision = "automatic"; // automatic | double | single
+  };
+
+  struct OutputParameters
+  {
+    unsigned int fields_every =
+      1; // accepted increments; 0: only at the end of a stage
+    std::string  slices           = "both"; // warp | fill | both | none
+    unsigned int section_points   = 12;
+    unsigned int checkpoint_every = 1; // accepted increments
+    bool         pictures         = true;
+  };
+
+  /**
+   * Everything a run depends on. Filled by parse(), completed by resolve(),
+   * judged by check().
+   */
+  struct Parameters
+  {
+    std::string              output_directory = "output";
+    std::vector<std::string> stages           = {"weave", "relax", "biaxial"};
+    std::string              accuracy = "standard"; // draft | standard | fine
+    double                   maximal_wall_time = 0; // [s], 0: unlimited
+
+    // "fabric" when the file has no polylines, "fibers" otherwise
+    FabricParameters             fabric;
+    FibersParameters             fibers;
+    std::vector<std::string>     drive_names;
+    std::vector<DriveParameters> drives;
+    ContactParameters            contact;
+    WeavingParameters            weaving;
+    RelaxParameters              relax;
+    BiaxialParameters            biaxial;
+    LoadParameters               load;
+    SolverParameters             solver;
+    OutputParameters             output;
+
+    bool
+    is_fabric() const
+    {
+      return fibers.polylines.empty();
+    }
+
+    /**
+     * Reads @p file and then the @p overrides ("Section/Entry=value"),
+     * resolves and checks. Throws InputError with one line that names file,
+     * line, entry and what is allowed.
+     */
+    static Parameters
+    parse(const std::string &file, const std::vector<std::string> &overrides);
+
+    /** Gives every automatic value but the fabric's layers its number. */
+    void
+    resolve();
+
+    /**
+     * Checks what is wrong only in combination. Throws InputError. The order
+     * of the stages depends on where the run starts, see
+     * check_stage_order().
+     */
+    void
+    check() const;
+
+    /**
+     * Throws InputError when the stages make no sense after @p stages_done ,
+     * those that the restart file has behind it (none without one). Stages
+     * that begin with @p stages_done continue that run; others come after it.
+     */
+    void
+    check_stage_order(const std::vector<std::string> &stages_done) const;
+
+    /**
+     * Where the value of the entry @p path ("Fabric/Warp/Tows") was given,
+     * and its name, to begin an InputError with: "x.prm, line 3: Stages".
+     */
+    std::string
+    where(const std::string &path) const;
+
+    /** Writes every parameter with value, text and unit as a valid file. */
+    void
+    print(std::ostream &out) const;
+
+    /** All parameters as tables in markdown, for doc/parameters.md. */
+    static void
+    print_reference(std::ostream &out);
+
+  private:
+    std::string                        source;    // the file
+    std::map<std::string, std::string> locations; // of the entries set
+
+    void
+    declare(ParameterCatalogue &catalogue);
+
+    void
+    override_entries(const std::vector<std::string> &overrides,
+                     ParameterCatalogue             &catalogue);
+
+    void
+    copy_warp_to_fill(ParameterCatalogue &catalogue) const;
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_beams_beam_element_h
+#define fiberloom_beams_beam_element_h
+
+#include <fiberloom/base/vector_types.h>
+
+#include <fiberloom/beams/section_stiffness.h>
+
+#include <array>
+#include <vector>
+
+namespace fiberloom
+{
+  /**
+   * A three-node beam element whose sections deform affinely, equations [1] to
+   * [3] of the paper: x(z) = x0 + z1 g1 + z2 g2. Nine dofs a node, scaled to
+   * lengths: x0, r g1, r g2 [mm]; node order: start, middle, end.
+   *
+   * Energy: the full Green-Lagrange strain relative to the reference
+   * placement with the Saint Venant-Kirchhoff law, in the form that is free of
+   * Poisson locking (SectionStiffness), two Gauss points along the axis. The
+   * strains E11, E22 and 2 E12 of the section are sampled at the nodes and
+   * interpolated to the Gauss points, and their second difference a carries
+   * the energy (A L/4) a.D_ps a with the plane-stress matrix D_ps: without it
+   * the section can oscillate along the fiber as 3 xi^2 - 1 at no cost.
+   */
+  class BeamElement
+  {
+  public:
+    using Vector = Eigen::Matrix<double, 27, 1>;
+    using Matrix = Eigen::Matrix<double, 27, 27>;
+
+    /** @p reference : stress-free dofs; throws InputError if it is degenerate. */
+    BeamElement(const Vector &reference,
+                const double  radius,
+                const double  young_modulus,
+                const double  poisson_ratio);
+
+    /** [N mm] */
+    double
+    energy(const Vector &q) const;
+
+    /** Gradient of the energy, [N]. */
+    void
+    residual(const Vector &q, Vector &residual) const;
+
+    /** Gradient [N] and Hessian [N/mm] of the energy. */
+    void
+    residual_and_tangent(const Vector &q,
+                         Vector       &residual,
+                         Matrix       &tangent) const;
+
+    /** Force and moment that the part beyond exerts on the part before. */
+    struct SectionForces
+    {
+      Vector3 force;  // [N]
+      Vector3 moment; // [N mm], about the section's centre
+    };
+
+    /** At Gauss point 0 or 1. */
+    SectionForces
+    section_forces(const Vector &q, const unsigned int gauss_point) const;
+
+    /** Reference length of the centre line [mm]. */
+    double
+    length() const
+    {
+      return reference_length;
+    }
+
+  private:
+    struct GaussPoint
+    {
+      SectionStiffness::Matrix stiffness; // per unit length
+      SectionStiffness::Vector reference_gram;
+      double                   weight; // times jacobian
+      std::array<double, 3>    shape, derivative;
+    };
+
+    /** Section strains interpolated from the nodes, the others from @p vectors . */
+    void
+    strains(const std::array<Vector3, 5> &vectors,
+            const Matrix3                &section_strain,
+            const GaussPoint             &point,
+            SectionStiffness::Vector     &strain) const;
+
+    template <bool with_tangent>
+    void
+    evaluate(const Vector &q, Vector &residual, Matrix *tangent) const;
+
+    /** Of e11, e22 or e12 at a node by that node's dofs. */
+    Eigen::Matrix<double, 1, 9>
+    node_section_gradient(const Vector      &q,
+                          const unsigned int strain,
+                          const unsigned int node) const;
+
+    double                    radius;
+    double                    reference_length;
+    std::array<GaussPoint, 2> points;
+    Matrix3                   node_gram; // e11, e22, e12 (rows) at the nodes (columns)
+    Matrix3                   hourglass_stiffness;
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_beams_fiber_mesh_h
+#define fiberloom_beams_fiber_mesh_h
+
+#include <fiberloom/base/vector_types.h>
+
+#include <fiberloom/beams/beam_element.h>
+#include <fiberloom/beams/shape_functions.h>
+
+#include <fiberloom/fabric/fiber_set.h>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <vector>
+
+namespace fiberloom
+{
+  /** Centre line and section of a fiber at one abscissa, from its dofs. */
+  struct Section
+  {
+    Vector3 center;
+    Vector3 center_derivative; // by the parameter u, see FiberMesh
+    Vector3 vector_1, vector_2; // r g1, r g2 [mm]
+
+    /** Continuous over element ends, unlike the centre line's own tangent. */
+    Vector3
+    tangent() const
+    {
+      return vector_1.cross(vector_2).normalized();
+    }
+  };
+
+  /** Where on a fiber: element of the mesh and xi in [-1, 1]. */
+  struct ElementPoint
+  {
+    unsigned int element;
+    double       xi;
+  };
+
+  /**
+   * All fibers as chains of quadratic elements. Nodes are numbered fiber by
+   * fiber, so are elements; node n has the dofs 9n .. 9n+8: x0, r g1, r g2.
+   * The parameter u of a fiber runs from 0 to its number of elements.
+   */
+  class FiberMesh
+  {
+  public:
+    struct Line
+    {
+      unsigned int first_node;
+      unsigned int first_element;
+      unsigned int n_elements;
+      unsigned int tow;
+      double       radius;        // [mm]
+      double       young_modulus; // [MPa]
+      double       length;        // reference [mm]
+
+      unsigned int
+      n_nodes() const
+      {
+        return 2 * n_elements + 1;
+      }
+    };
+
+    static constexpr unsigned int dofs_per_node = 9;
+
+    explicit FiberMesh(const FiberSet &fibers);
+
+    const std::vector<Line> &
+    lines() const
+    {
+      return fiber_lines;
+    }
+
+    unsigned int
+    n_nodes() const
+    {
+      return reference_dofs.size() / dofs_per_node;
+    }
+
+    unsigned int
+    n_elements() const
+    {
+      return beam_elements.size();
+    }
+
+    unsigned int
+    fiber_of_element(const unsigned int element) const
+    {
+      return element_fibers[element];
+    }
+
+    unsigned int
+    first_node(const unsigned int element) const
+    {
+      const Line &line = fiber_lines[element_fibers[element]];
+      return line.first_node + 2 * (element - line.first_element);
+    }
+
+    const BeamElement &
+    element(const unsigned int e) const
+    {
+      return beam_elements[e];
+    }
+
+    /** Stress-free placement. */
+    const DofVector &
+    reference() const
+    {
+      return reference_dofs;
+    }
+
+    BeamElement::Vector
+    element_dofs(const DofVector &q, const unsigned int element) const
+    {
+      return q.segment<27>(dofs_per_node * first_node(element));
+    }
+
+    /** Clamps @p u to the fiber. */
+    ElementPoint
+    locate(const unsigned int fiber, const double u) const;
+
+    double
+    parameter(const ElementPoint &point) const
+    {
+      return point.element -
+             fiber_lines[element_fibers[point.element]].first_element +
+             .5 * (point.xi + 1);
+    }
+
+    Section
+    section(const DofVector &q, const ElementPoint &point) const;
+
+  private:
+    std::vector<Line>         fiber_lines;
+    std::vector<unsigned int> element_fibers;
+    std::vector<BeamElement>  beam_elements;
+    DofVector                 reference_dofs;
+  };
+} // namespace fiberloom
+
+#endif

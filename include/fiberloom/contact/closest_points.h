@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_contact_closest_points_h
+#define fiberloom_contact_closest_points_h
+
+#include <fiberloom/beams/fiber_mesh.h>
+
+#include <array>
+#include <optional>
+
+namespace fiberloom
+{
+  /** Parameters u on two fibers. */
+  using ParameterPair = std::array<double, 2>;
+
+  /** Closest points of the segments a0 a1 and b0 b1, as fractions, and their distance. */
+  struct SegmentDistance
+  {
+    double s, t, distance;
+  };
+
+  SegmentDistance
+  segment_distance(const Vector3 &a0,
+                   const Vector3 &a1,
+                   const Vector3 &b0,
+                   const Vector3 &b1);
+
+  /**
+   * Where the line between two fibers is across both, from @p start . Tangents
+   * are those of the sections, so that the point does not hop over the kinks
+   * at element ends.
+   */
+  ParameterPair
+  mutual_closest_point(const FiberMesh                   &mesh,
+                       const DofVector                   &q,
+                       const std::array<unsigned int, 2> &fibers,
+                       const ParameterPair               &start);
+
+  /** Where two fibers cross as seen from above, from @p start . */
+  ParameterPair
+  plan_crossing(const FiberMesh                   &mesh,
+                const DofVector                   &q,
+                const std::array<unsigned int, 2> &fibers,
+                const ParameterPair               &start);
+
+  /**
+   * Where the plane across the intermediate geometry (normal: the mean of the
+   * two tangents) through the section @p first cuts fiber @p fiber , from
+   * @p start ; nothing if that is beyond its ends.
+   */
+  std::optional<double>
+  cut_by_plane(const FiberMesh   &mesh,
+               const DofVector   &q,
+               const Section     &first,
+               const unsigned int fiber,
+               const double       start);
+} // namespace fiberloom
+
+#endif

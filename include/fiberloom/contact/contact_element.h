@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_contact_contact_element_h
+#define fiberloom_contact_contact_element_h
+
+#include <fiberloom/base/vector_types.h>
+
+#include <fiberloom/beams/fiber_mesh.h>
+
+#include <array>
+
+namespace fiberloom
+{
+  /**
+   * A pair of material particles on the surfaces of two fibers that are
+   * predicted to touch, section 3.3 of the paper, with the law that acts
+   * between them. Generated anew at each detection; what must outlive that
+   * is in ContactState.
+   */
+  struct ContactElement
+  {
+    // who
+    unsigned int                         zone; // index into ContactState::zones
+    std::array<unsigned int, 2>          fibers;
+    std::array<ElementPoint, 2>          points;
+    std::array<unsigned int, 2>          first_nodes;
+    std::array<std::array<double, 3>, 2> weights; // shape functions at the points
+    std::array<double, 2>                radii;   // [mm]
+
+    // normal contact
+    Vector3 normal;         // unit, from the second fiber to the first
+    double  offset;         // added to the gap: overlap that is still allowed [mm]
+    double  stiffness;      // penalty [N/mm]
+    double  regularization; // penetration up to which the law is quadratic [mm]
+
+    // friction; a limit of 0 means none
+    double                               friction_limit; // mu f* [N]
+    double                               elastic_slip;   // [mm]
+    Vector3                              slip_before;    // reversible slip at the start of the increment [mm]
+    Vector3                              separation_before; // of the two particles then [mm]
+    std::array<std::array<double, 2>, 2> particles; // (z1, z2)/r of each particle, on the unit circle
+
+    enum class Status
+    {
+      open,
+      stick,
+      slip
+    };
+
+    // what the last evaluation found
+    double  gap            = 0;               // [mm]
+    double  normal_force   = 0;               // [N], >= 0
+    Vector3 friction_force = Vector3::Zero(); // on the first fiber [N]
+    Vector3 slip           = Vector3::Zero(); // reversible slip [mm]
+    Status  status         = Status::open;
+  };
+} // namespace fiberloom
+
+#endif

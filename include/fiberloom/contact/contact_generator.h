@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_contact_contact_generator_h
+#define fiberloom_contact_contact_generator_h
+
+#include <fiberloom/contact/contact_element.h>
+#include <fiberloom/contact/contact_state.h>
+#include <fiberloom/contact/proximity_search.h>
+#include <fiberloom/contact/proximity_zones.h>
+
+#include <vector>
+
+namespace fiberloom
+{
+  struct ContactParameters;
+
+  /** How contact is to be generated in a stage, at a load. */
+  struct ContactRule
+  {
+    /**
+     * Fibers of crossing tows meet where they cross as seen from above, with a
+     * vertical normal given by the superimposition order (section 4.1).
+     */
+    bool   vertical        = false;
+    double allowed_overlap = 0; // of crossing tows while vertical [mm]
+    double offset_factor   = 0; // of the zones' offsets, standard normals
+    bool   friction        = false;
+  };
+
+  /**
+   * Section 3.2 of the paper: proximity zones from the candidates of the
+   * search, on each an intermediate geometry (the mean of the two centre
+   * lines) with stations, at each station the plane across it that cuts both
+   * fibers, and the two particles on the sections' borders.
+   *
+   * A zone is parallel or crossing, by the angle of the fibers with
+   * hysteresis. Parallel: stations at material abscissae (k + 1/2) h of the
+   * first fiber. Crossing: one station at the mutual closest point, with the
+   * normal across both fibers, whose sign is kept: the direction from centre
+   * to centre turns when fibers slide although the true normal does not.
+   * Tangents are r g1 x r g2, which is continuous over element ends.
+   */
+  class ContactGenerator
+  {
+  public:
+    ContactGenerator(const FiberSet          &fibers,
+                     const FiberMesh         &mesh,
+                     const ContactParameters &parameters);
+
+    /**
+     * All contact elements at placement @p q . Zones in @p state are replaced
+     * by the ones found, which inherit from their predecessors; its history is
+     * read. @p q_before is the placement of the last accepted increment.
+     */
+    std::vector<ContactElement>
+    generate(const DofVector   &q,
+             const DofVector   &q_before,
+             const ContactRule &rule,
+             ContactState      &state);
+
+    /**
+     * Normals, particles and friction limits mu f* of @p contacts from
+     * placement @p q , the stations kept.
+     */
+    void
+    update(std::vector<ContactElement> &contacts,
+           const DofVector             &q,
+           const DofVector             &q_before,
+           const ContactRule           &rule,
+           const ContactState          &state) const;
+
+    /** Offsets of the zones that keep crossing contacts as they are at @p q . */
+    void
+    absorb_overlap(const std::vector<ContactElement> &vertical_contacts,
+                   const DofVector                   &q,
+                   ContactState                      &state) const;
+
+    /** Fibers of crossing tows that lie on the wrong side of each other. */
+    unsigned int
+    crossings_out_of_order(const DofVector &q) const;
+
+  private:
+    ContactElement
+    new_element(const unsigned int   zone,
+                const ParameterPair &u,
+                const ContactState  &state) const;
+
+    void
+    add_woven_crossings(const DofVector             &q,
+                        const ContactRule           &rule,
+                        const ContactState          &before,
+                        ContactState                &state,
+                        std::vector<ContactElement> &contacts) const;
+
+    void
+    add_proximity_zones(const DofVector             &q,
+                        const ContactRule           &rule,
+                        const ContactState          &before,
+                        ContactState                &state,
+                        std::vector<ContactElement> &contacts);
+
+    /** A zone with what it inherits, its range and class given. */
+    ContactZone
+    successor(const std::array<unsigned int, 2>          &pair,
+              const std::array<std::array<double, 2>, 2> &range,
+              const ContactState                         &before,
+              const bool default_class) const;
+
+    void
+    add_parallel_stations(const ProximityZone         &proximity,
+                          const unsigned int           zone,
+                          const DofVector             &q,
+                          const ContactState          &state,
+                          std::vector<ContactElement> &contacts) const;
+
+    void
+    set_normal(ContactElement     &contact,
+               const DofVector    &q,
+               const ContactRule  &rule,
+               const ContactState &state) const;
+
+    bool
+    is_vertical(const ContactElement &contact, const ContactRule &rule) const;
+
+    const FiberSet          &fibers;
+    const FiberMesh         &mesh;
+    const ContactParameters &parameters;
+    ProximitySearch          search;
+
+    std::vector<std::array<unsigned int, 2>> woven_pairs; // fibers that cross
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_contact_contact_state_h
+#define fiberloom_contact_contact_state_h
+
+#include <fiberloom/base/vector_types.h>
+
+#include <array>
+#include <vector>
+
+namespace fiberloom
+{
+  /**
+   * A proximity zone: a part of one fiber that is close to a part of another
+   * (or of itself). Zones are found anew at each detection and inherit what is
+   * kept here from the zones of the same pair that they overlap.
+   */
+  struct ContactZone
+  {
+    std::array<unsigned int, 2>          fibers;
+    std::array<std::array<double, 2>, 2> range; // parameters u, begin and end, on each fiber
+    bool   crossing  = false; // one station at the mutual closest point
+    int    side      = 0;     // crossing: sign of normal . (t_first x t_second)
+    double stiffness = 0;     // [N/mm] per station
+    double offset    = 0;     // overlap still allowed [mm]
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      for (unsigned int s = 0; s < 2; ++s)
+        ar &fibers[s] &range[s][0] &range[s][1];
+      ar &crossing &side &stiffness &offset;
+    }
+  };
+
+  /** Reversible slip of a station at the end of the last accepted increment. */
+  struct FrictionHistory
+  {
+    std::array<unsigned int, 2> fibers;
+    std::array<double, 2>       u;
+    Vector3                     slip;
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      for (unsigned int s = 0; s < 2; ++s)
+        ar &fibers[s] &u[s];
+      for (unsigned int i = 0; i < 3; ++i)
+        ar &slip[i];
+    }
+  };
+
+  /** All that contact remembers; part of the state. Both sorted by fibers, then u. */
+  struct ContactState
+  {
+    std::vector<ContactZone>     zones;
+    std::vector<FrictionHistory> history; // empty without friction
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      ar &zones &history;
+    }
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_contact_proximity_search_h
+#define fiberloom_contact_proximity_search_h
+
+#include <fiberloom/beams/fiber_mesh.h>
+
+#include <array>
+#include <vector>
+
+namespace fiberloom
+{
+  /**
+   * Two straight pieces of centre lines, each from one node to the next, that
+   * may be close. Piece k of a fiber spans u = k/2 .. (k+1)/2.
+   */
+  struct CandidatePair
+  {
+    std::array<unsigned int, 2> fibers; // first <= second
+    std::array<unsigned int, 2> pieces; // within the fiber
+  };
+
+  /**
+   * Finds the pieces of fibers whose surfaces are closer than a margin, by a
+   * CGAL AABB tree over all pieces. The tree is asked with an additional skin
+   * and its answer kept until some node has moved by half of that skin, so
+   * that calls between small moves cost one pass over the nodes.
+   */
+  class ProximitySearch
+  {
+  public:
+    /** @p margin and @p skin in mm. */
+    ProximitySearch(const FiberMesh &mesh,
+                    const double     margin,
+                    const double     skin);
+
+    /**
+     * Candidates at placement @p q : all pairs closer than the margin, and
+     * some that are not; sorted. Pieces of one fiber count when they are
+     * further apart along it than its circumference.
+     */
+    const std::vector<CandidatePair> &
+    candidates(const DofVector &q);
+
+    unsigned int
+    n_searches() const
+    {
+      return searches;
+    }
+
+  private:
+    void
+    search(const DofVector &q);
+
+    const FiberMesh           &mesh;
+    const double               margin;
+    const double               skin;
+    DofVector                  searched_at;
+    std::vector<CandidatePair> found;
+    unsigned int               searches = 0;
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_contact_proximity_zones_h
+#define fiberloom_contact_proximity_zones_h
+
+#include <fiberloom/contact/closest_points.h>
+#include <fiberloom/contact/contact_state.h>
+#include <fiberloom/contact/proximity_search.h>
+
+#include <vector>
+
+namespace fiberloom
+{
+  /** A connected part of two fibers that are closer than the margin. */
+  struct ProximityZone
+  {
+    /** Closest points of two pieces. */
+    struct Match
+    {
+      std::array<unsigned int, 2> pieces;
+      ParameterPair               u;
+      double                      distance; // of the centre lines [mm]
+    };
+
+    std::array<unsigned int, 2> fibers;
+    std::vector<Match>          matches; // sorted by pieces
+
+    const Match &
+    closest() const;
+
+    /** Begin and end on fiber @p side . */
+    std::array<double, 2>
+    range(const unsigned int side) const;
+  };
+
+  /** Zones in the order of the candidates; @p margin between surfaces [mm]. */
+  std::vector<ProximityZone>
+  find_proximity_zones(const FiberMesh                  &mesh,
+                       const DofVector                  &q,
+                       const std::vector<CandidatePair> &candidates,
+                       const double                      margin);
+
+  /**
+   * The zone of @p zones (sorted by fibers) of the same two fibers that shares
+   * the longest part with @p range , or null. @p stiffness receives the
+   * largest stiffness of all that share a part, so that zones may split and
+   * merge without a change of the contacts' stiffness.
+   */
+  const ContactZone *
+  find_predecessor(const std::vector<ContactZone>             &zones,
+                   const std::array<unsigned int, 2>          &fibers,
+                   const std::array<std::array<double, 2>, 2> &range,
+                   double                                     &stiffness);
+} // namespace fiberloom
+
+#endif

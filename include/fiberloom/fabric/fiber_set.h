@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_fabric_fiber_set_h
+#define fiberloom_fabric_fiber_set_h
+
+#include <fiberloom/base/vector_types.h>
+
+#include <fiberloom/fabric/weave_pattern.h>
+
+#include <optional>
+#include <vector>
+
+namespace fiberloom
+{
+  struct Parameters;
+
+  /**
+   * One fiber as the user described it: a stress-free centre line through
+   * 2 n_elements + 1 nodes with the two unit section vectors at each, a round
+   * section and an isotropic material.
+   */
+  struct Fiber
+  {
+    unsigned int tow;           // index into FiberSet::tows
+    double       radius;        // [mm]
+    double       young_modulus; // [MPa]
+    double       poisson_ratio;
+
+    std::vector<Vector3> centers; // [mm]
+    std::vector<Vector3> directions_1;
+    std::vector<Vector3> directions_2;
+
+    unsigned int
+    n_elements() const
+    {
+      return (centers.size() - 1) / 2;
+    }
+  };
+
+  /** Fibers that are handled together. Fibers that are no fabric are tows of
+   * one. */
+  struct Tow
+  {
+    enum class Family
+    {
+      warp, // runs along x
+      fill, // runs along y
+      none
+    };
+
+    Family       family;
+    unsigned int number; // within the family
+    double
+      center; // position across the tow: y of a warp tow, x of a fill tow [mm]
+    double                    half_width;     // [mm], fiber surfaces included
+    double                    half_thickness; // [mm], fiber surfaces included
+    std::vector<unsigned int> fibers;
+  };
+
+  /** What is simulated, as pure geometry. */
+  struct FiberSet
+  {
+    std::vector<Fiber>          fibers; // fibers of one tow are consecutive
+    std::vector<Tow>            tows;   // warp tows, then fill tows
+    std::optional<WeavePattern> pattern;
+  };
+
+  /**
+   * The flat fabric before weaving: straight tows, all on the plane z = 0, so
+   * that crossing tows interpenetrate (figure 8 of the paper). Warp along x,
+   * fill along y, sample centred at the origin; the first section vector of
+   * every fiber is horizontal and across the fiber, the second vertical.
+   * Throws InputError for tows that overlap their neighbours.
+   */
+  FiberSet
+  build_fabric(const Parameters &parameters);
+
+  /**
+   * The fibers of section Fibers, stress-free along their polylines with nodes
+   * at equal distances and sections that do not twist. Throws InputError.
+   */
+  FiberSet
+  build_fibers(const Parameters &parameters);
+
+  /** Whichever of the two the parameters describe. Throws InputError. */
+  FiberSet
+  build_fiber_set(const Parameters &parameters);
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_model_block_layout_h
+#define fiberloom_model_block_layout_h
+
+#include <fiberloom/beams/fiber_mesh.h>
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/mpi.h>
+
+#include <vector>
+
+namespace fiberloom
+{
+  /**
+   * Numbering and ownership of the unknowns. They come in blocks that belong
+   * together: nine for a fiber node, six for a rigid body; fiber nodes first.
+   * Nodes are dealt to the ranks in equal numbers along a space-filling curve
+   * through the reference placement, bodies in turn.
+   */
+  class BlockLayout
+  {
+  public:
+    BlockLayout(const FiberMesh   &mesh,
+                const unsigned int n_bodies,
+                const MPI_Comm     communicator);
+
+    unsigned int
+    n_blocks() const
+    {
+      return first_dofs.size() - 1;
+    }
+
+    unsigned int
+    n_dofs() const
+    {
+      return first_dofs.back();
+    }
+
+    unsigned int
+    first_dof(const unsigned int block) const
+    {
+      return first_dofs[block];
+    }
+
+    unsigned int
+    size(const unsigned int block) const
+    {
+      return first_dofs[block + 1] - first_dofs[block];
+    }
+
+    unsigned int
+    body_block(const unsigned int body) const
+    {
+      return n_nodes + body;
+    }
+
+    unsigned int
+    owner(const unsigned int block) const
+    {
+      return owners[block];
+    }
+
+    /** Rank among the owned blocks, or -1. */
+    int
+    local_block(const unsigned int block) const
+    {
+      return local_blocks[block];
+    }
+
+    const std::vector<unsigned int> &
+    owned_blocks() const
+    {
+      return owned;
+    }
+
+    /** Of an owned block in the rank's part of a distributed vector. */
+    unsigned int
+    local_first_dof(const unsigned int local_block) const
+    {
+      return local_first_dofs[local_block];
+    }
+
+    const dealii::IndexSet &
+    owned_dofs() const
+    {
+      return owned_dof_set;
+    }
+
+    MPI_Comm
+    communicator() const
+    {
+      return comm;
+    }
+
+  private:
+    MPI_Comm                  comm;
+    unsigned int              n_nodes;
+    std::vector<unsigned int> first_dofs, owners, owned, local_first_dofs;
+    std::vector<int>          local_blocks;
+    dealii::IndexSet          owned_dof_set;
+  };
+} // namespace fiberloom
+
+#endif

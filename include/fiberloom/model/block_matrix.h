@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_model_block_matrix_h
+#define fiberloom_model_block_matrix_h
+
+#include <fiberloom/model/block_layout.h>
+
+#include <Epetra_Import.h>
+#include <Epetra_Map.h>
+#include <Epetra_Operator.h>
+
+#include <memory>
+#include <vector>
+
+namespace fiberloom
+{
+  /**
+   * A sparse matrix of dense blocks, of which each rank holds the rows of the
+   * blocks it owns: a Trilinos operator for Krylov methods whose entries are
+   * written without a search for single columns. The pattern is symmetric.
+   */
+  class BlockMatrix : public Epetra_Operator
+  {
+  public:
+    explicit BlockMatrix(const BlockLayout &layout);
+
+    /**
+     * Sets the pattern: @p columns has, for each owned block, the sorted
+     * blocks it is coupled to, itself included. Values become zero.
+     */
+    void
+    reinit(std::vector<std::vector<unsigned int>> columns);
+
+    void
+    set_zero();
+
+    /** Where the block (row, column) is stored, row by row; the row is owned. */
+    double *
+    block(const unsigned int row, const unsigned int column);
+
+    const BlockLayout &
+    layout() const
+    {
+      return numbering;
+    }
+
+    /** Blocks coupled to the owned block number @p local_row . */
+    const std::vector<unsigned int> &
+    columns(const unsigned int local_row) const
+    {
+      return column_blocks[local_row];
+    }
+
+    const double *
+    values(const unsigned int local_row, const unsigned int index) const
+    {
+      return data.data() + offsets[local_row][index];
+    }
+
+    double *
+    values(const unsigned int local_row, const unsigned int index)
+    {
+      return data.data() + offsets[local_row][index];
+    }
+
+    /** Grows with each reinit(): tells solvers that their analysis is stale. */
+    unsigned int
+    pattern_version() const
+    {
+      return version;
+    }
+
+    int
+    Apply(const Epetra_MultiVector &x, Epetra_MultiVector &y) const override;
+
+    int
+    ApplyInverse(const Epetra_MultiVector &, Epetra_MultiVector &) const override
+    {
+      return -1;
+    }
+
+    int
+    SetUseTranspose(bool) override
+    {
+      return 0; // symmetric
+    }
+
+    double
+    NormInf() const override
+    {
+      return 0;
+    }
+
+    const char *
+    Label() const override
+    {
+      return "block matrix";
+    }
+
+    bool
+    UseTranspose() const override
+    {
+      return false;
+    }
+
+    bool
+    HasNormInf() const override
+    {
+      return false;
+    }
+
+    const Epetra_Comm &
+    Comm() const override
+    {
+      return owned_map.Comm();
+    }
+
+    const Epetra_Map &
+    OperatorDomainMap() const override
+    {
+      return owned_map;
+    }
+
+    const Epetra_Map &
+    OperatorRangeMap() const override
+    {
+      return owned_map;
+    }
+
+  private:
+    const BlockLayout &numbering;
+    Epetra_Map         owned_map;
+    unsigned int       version = 0;
+
+    std::vector<std::vector<unsigned int>> column_blocks;
+    std::vector<std::vector<std::size_t>>  offsets;
+    std::vector<double>                    data;
+
+    // Of each column block, the position in the imported vector.
+    std::unique_ptr<Epetra_Map>            column_map;
+    std::unique_ptr<Epetra_Import>         importer;
+    std::vector<std::vector<unsigned int>> column_positions;
+  };
+} // namespace fiberloom
+
+#endif

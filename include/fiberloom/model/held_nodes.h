@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_model_held_nodes_h
+#define fiberloom_model_held_nodes_h
+
+#include <fiberloom/coupling/rigid_body.h>
+
+#include <fiberloom/model/block_layout.h>
+
+#include <vector>
+
+namespace fiberloom
+{
+  using NodeVector = Eigen::Matrix<double, 9, 1>;
+
+  /**
+   * The dofs of a held node after its body went from @p before to @p after and
+   * its components along the attachment's frame changed by @p local_change .
+   */
+  NodeVector
+  move_held_node(const Attachment &attachment,
+                 const Placement  &before,
+                 const Placement  &after,
+                 const NodeVector &dofs,
+                 const NodeVector &local_change);
+
+  /**
+   * Forces and stiffness of a group of nodes, some of which are held by rigid
+   * bodies, transformed to the unknowns of System: dq = F dq_local +
+   * dc + dtheta x (q - c), with the second derivative of the rotation in the
+   * tangent, since the map from the unknowns to the dofs is not linear.
+   */
+  class HeldGroup
+  {
+  public:
+    HeldGroup(const unsigned int     *nodes,
+              const unsigned int      n_nodes,
+              const std::vector<int> &attachment_of_node,
+              const Supports         &supports,
+              const BlockLayout      &layout);
+
+    template <class Vector>
+    void
+    set_force(const unsigned int a, const Vector &value)
+    {
+      forces.segment<9>(9 * a) = value;
+    }
+
+    template <class Matrix>
+    void
+    set_stiffness(const unsigned int a, const unsigned int b, const Matrix &value)
+    {
+      matrix.block<9, 9>(9 * a, 9 * b) = value;
+    }
+
+    void
+    transform(const DofVector              &q,
+              const std::vector<Placement> &placements,
+              const bool                    with_tangent);
+
+    unsigned int
+    n_blocks() const
+    {
+      return blocks.size();
+    }
+
+    unsigned int
+    block(const unsigned int a) const
+    {
+      return blocks[a];
+    }
+
+    Eigen::VectorXd
+    force(const unsigned int a) const
+    {
+      return forces.segment(offset(a), size(a));
+    }
+
+    Eigen::MatrixXd
+    stiffness(const unsigned int a, const unsigned int b) const
+    {
+      return matrix.block(offset(a), offset(b), size(a), size(b));
+    }
+
+  private:
+    unsigned int
+    offset(const unsigned int a) const
+    {
+      return a < n_nodes ? 9 * a : 9 * n_nodes + 6 * (a - n_nodes);
+    }
+
+    unsigned int
+    size(const unsigned int a) const
+    {
+      return a < n_nodes ? 9 : 6;
+    }
+
+    const unsigned int             n_nodes;
+    const Supports                &supports;
+    std::vector<unsigned int>      blocks; // nodes, then bodies
+    std::vector<const Attachment *> held;   // by node, null if free
+    std::vector<unsigned int>      body_position; // of a held node, in blocks
+    Eigen::VectorXd                forces;
+    Eigen::MatrixXd                matrix;
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_model_state_h
+#define fiberloom_model_state_h
+
+#include <fiberloom/base/vector_types.h>
+
+#include <fiberloom/contact/contact_state.h>
+
+#include <fiberloom/coupling/rigid_body.h>
+
+#include <boost/serialization/vector.hpp>
+
+#include <string>
+#include <vector>
+
+namespace fiberloom
+{
+  /**
+   * Everything that changes over an increment. A copy of it is a commit, the
+   * assignment of that copy a rollback; two runs with equal states go on
+   * equally. The same on every rank.
+   */
+  struct State
+  {
+    DofVector              q;          // fiber dofs, see FiberMesh
+    std::vector<Placement> placements; // of the rigid bodies of the stage
+    std::vector<Placement> stage_start_placements;
+    ContactState           contact;
+
+    unsigned int stage      = 0; // index into the stages of the scene
+    unsigned int increment  = 0; // accepted in the stage
+    double       load       = 0; // of the stage, from 0 to 1
+    double       step       = 0; // of the load, to be tried next; 0: the stage's first step
+    std::vector<std::string> stages_done;
+    std::vector<std::string> scene_stages; // of the run that wrote it
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      auto n = q.size();
+      ar  &n;
+      q.resize(n);
+      for (auto &value : q)
+        ar &value;
+      ar &placements &stage_start_placements &contact;
+      ar &stage &increment &load &step &stages_done &scene_stages;
+    }
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_model_system_h
+#define fiberloom_model_system_h
+
+#include <fiberloom/contact/contact_element.h>
+
+#include <fiberloom/coupling/rigid_body.h>
+
+#include <fiberloom/model/block_matrix.h>
+#include <fiberloom/model/state.h>
+
+#include <memory>
+#include <vector>
+
+namespace fiberloom
+{
+  using BodyVector = Eigen::Matrix<double, 6, 1>;
+
+  /**
+   * The equations of one stage: fibers, contacts and rigid bodies, with the
+   * nodes held by bodies eliminated. Each rank evaluates what touches the
+   * blocks it owns, so nothing is sent while assembling.
+   *
+   * Unknowns are increments: of a free node its nine dofs, of a held node the
+   * components along its attachment's frame, of a body the displacement of
+   * its reference point and a rotation vector about it.
+   */
+  class System
+  {
+  public:
+    System(const FiberMesh &mesh, const Supports &supports, MPI_Comm comm);
+
+    /** Sets the pattern for elements and @p contacts . */
+    void
+    reinit(const std::vector<ContactElement> &contacts);
+
+    /**
+     * Residual and tangent at @p state . Prescribed dofs of the bodies have
+     * the increment that leads to @p targets , which enters the right hand
+     * side through the tangent. Stores forces in @p contacts .
+     */
+    void
+    assemble(const State                   &state,
+             const std::vector<BodyTarget> &targets,
+             std::vector<ContactElement>   &contacts);
+
+    /** Residual alone. */
+    void
+    assemble_residual(const State                   &state,
+                      const std::vector<BodyTarget> &targets,
+                      std::vector<ContactElement>   &contacts);
+
+    /** Of fibers, contacts and dead loads [N mm], summed over the ranks. */
+    double
+    energy(const State                       &state,
+           const std::vector<BodyTarget>     &targets,
+           const std::vector<ContactElement> &contacts) const;
+
+    /** Largest unbalanced force over the free dofs [N]. */
+    double
+    residual_norm() const;
+
+    /** Largest force inside a fiber element, a scale for the residual [N]. */
+    double
+    internal_force_scale() const;
+
+    /** What each body has to exert on the fibers [N], [N mm]. */
+    const std::vector<BodyVector> &
+    reactions() const
+    {
+      return body_reactions;
+    }
+
+    BlockMatrix &
+    matrix()
+    {
+      return system_matrix;
+    }
+
+    /** Right hand side in the order of the owned dofs. */
+    const std::vector<double> &
+    right_hand_side() const
+    {
+      return rhs;
+    }
+
+    /** Whether some prescribed dof is not where its target is. */
+    bool
+    moves(const State                   &state,
+          const std::vector<BodyTarget> &targets) const;
+
+    /**
+     * The whole increment from the solution of the linear system (owned part)
+     * on every rank, prescribed increments included.
+     */
+    Eigen::VectorXd
+    gather(const std::vector<double> &owned_solution) const;
+
+    /** Largest change of a node's x0, r g1 or r g2 over its radius by @p increment . */
+    double
+    largest_move(const Eigen::VectorXd &increment) const;
+
+    /** Adds @p factor times @p increment to @p state . */
+    void
+    advance(State                 &state,
+            const Eigen::VectorXd &increment,
+            const double           factor) const;
+
+    const BlockLayout &
+    layout() const
+    {
+      return numbering;
+    }
+
+    /** Diagonal entry of fixed dofs, and scale of shifts [N/mm]. */
+    double
+    stiffness_scale() const
+    {
+      return stiffness;
+    }
+
+  private:
+    template <bool with_tangent>
+    void
+    assemble_all(const State                   &state,
+                 const std::vector<BodyTarget> &targets,
+                 std::vector<ContactElement>   &contacts);
+
+    template <bool with_tangent, class Group>
+    void
+    scatter(const State &state, const Group &group);
+
+    bool
+    touches_owned(const unsigned int *nodes, const unsigned int n) const;
+
+    std::vector<double>
+    prescribed_increments(const State                   &state,
+                          const std::vector<BodyTarget> &targets) const;
+
+    void
+    eliminate_fixed(const std::vector<double> &increments);
+
+    void
+    add_loads(const std::vector<BodyTarget> &targets);
+
+    const FiberMesh &mesh;
+    const Supports  &supports;
+    BlockLayout      numbering;
+    BlockMatrix      system_matrix;
+
+    std::vector<int>  attachment_of_node; // -1: free
+    std::vector<bool> fixed;              // by dof
+    std::vector<bool> has_fixed;          // by block
+    double            stiffness;
+    std::vector<std::vector<unsigned int>> element_pattern; // owned rows
+
+    std::vector<double>     residual; // owned dofs
+    std::vector<double>     rhs;
+    std::vector<BodyVector> body_reactions;
+    double                  force_scale = 0;
+    std::vector<double>     pending; // prescribed increments, by dof of bodies
+    std::unique_ptr<Epetra_Map>    owned_map, everything;
+    std::unique_ptr<Epetra_Import> importer;
+  };
+} // namespace fiberloom
+
+#endif

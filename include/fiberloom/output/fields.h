@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_output_fields_h
+#define fiberloom_output_fields_h
+
+#include <deal.II/base/mpi.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkUnstructuredGrid;
+
+namespace fiberloom
+{
+  /**
+   * One kind of field over time, for ParaView: NAME.pvd in the output
+   * directory lists fields/NAME_LABEL.pvtu, which lists one compressed binary
+   * .vtu per rank.
+   */
+  class FieldSeries
+  {
+  public:
+    FieldSeries(const std::string &output_directory,
+                const std::string &name,
+                const MPI_Comm     comm);
+
+    /**
+     * Keeps the entries that are on disk up to @p time; later ones will be
+     * replaced. Without this call the series starts empty.
+     */
+    void
+    continue_after(const double time);
+
+    bool
+    has(const double time) const;
+
+    /**
+     * Writes this rank's @p piece and lists it under @p time . Collective.
+     * Throws StageFailure.
+     */
+    void
+    write(vtkUnstructuredGrid *piece,
+          const double         time,
+          const std::string   &label);
+
+  private:
+    std::string
+    collection() const;
+
+    std::string                                 directory;
+    std::string                                 name;
+    MPI_Comm                                    comm;
+    std::vector<std::pair<double, std::string>> entries; // time, file
+  };
+
+  /** Contiguous share of @p n things of this rank: begin and end. */
+  std::pair<std::size_t, std::size_t>
+  share_of_rank(const std::size_t n, const MPI_Comm comm);
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_output_files_h
+#define fiberloom_output_files_h
+
+#include <deal.II/base/mpi.h>
+
+#include <functional>
+#include <string>
+
+namespace fiberloom
+{
+  /**
+   * Writes @p content beside @p file and renames it, so that a reader finds
+   * either the old file or the whole new one. With @p durable it waits for the
+   * disk before it renames. Throws StageFailure with the system's reason and
+   * leaves the old file as it was.
+   */
+  void
+  write_file(const std::string &file,
+             const std::string &content,
+             const bool         durable = false);
+
+  /** Throws InputError when @p file cannot be read. */
+  std::string
+  read_file(const std::string &file);
+
+  /**
+   * Runs @p work on every rank; when it throws on one of them, all ranks throw
+   * StageFailure with the message of the first, so that none waits for ever.
+   */
+  void
+  collectively(const MPI_Comm comm, const std::function<void()> &work);
+
+  /**
+   * Creates @p directory with its parents and tries to write there. Throws
+   * InputError on every rank when that fails.
+   */
+  void
+  prepare_output_directory(const std::string &directory, const MPI_Comm comm);
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_output_summary_h
+#define fiberloom_output_summary_h
+
+#include <fiberloom/base/statistics.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <string>
+#include <vector>
+
+namespace fiberloom
+{
+  /** What summary.json says, see doc/manual.md. */
+  struct Summary
+  {
+    std::string                  version;
+    std::string                  revision;
+    unsigned int                 ranks     = 1;
+    bool                         converged = false;
+    ModelSize                    model;
+    std::vector<StageStatistics> stages;
+    double                       peak_memory_bytes = 0;
+  };
+
+  /** As a JSON object; numbers that are not finite become null. */
+  std::string
+  summary_json(const Summary &summary);
+
+  /** Largest resident memory so far, summed over the ranks. Collective. */
+  double
+  peak_memory_bytes(const MPI_Comm comm);
+} // namespace fiberloom
+
+#endif

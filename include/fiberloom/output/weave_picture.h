@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_output_weave_picture_h
+#define fiberloom_output_weave_picture_h
+
+#include <fiberloom/fabric/fiber_set.h>
+
+#include <fiberloom/beams/fiber_mesh.h>
+
+#include <string>
+
+namespace fiberloom
+{
+  /**
+   * The whole sample seen from above at an angle, every fiber with its
+   * deformed sections in the colour of its tow; content of a PNG file. Needs
+   * no display.
+   */
+  std::string
+  weave_picture(const FiberSet    &fibers,
+                const FiberMesh   &mesh,
+                const DofVector   &q,
+                const unsigned int largest_side = 1600);
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_output_writer_h
+#define fiberloom_output_writer_h
+
+#include <fiberloom/base/parameters.h>
+#include <fiberloom/base/statistics.h>
+
+#include <fiberloom/fabric/fiber_set.h>
+
+#include <fiberloom/beams/fiber_mesh.h>
+
+#include <fiberloom/stages/stage.h>
+
+#include <fiberloom/output/checkpoint.h>
+#include <fiberloom/output/curves.h>
+#include <fiberloom/output/fields.h>
+#include <fiberloom/output/summary.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <string>
+#include <vector>
+
+namespace fiberloom
+{
+  /**
+   * Fills the output directory while stages run. Its operator() is an
+   * IncrementObserver. All functions are collective; when something cannot be
+   * written they throw StageFailure on every rank, and no file under its final
+   * name is ever half written.
+   *
+   * Time in the fields is the index of the stage plus its load. The checkpoint
+   * is always written last, so that the other files are never behind it.
+   */
+  class OutputWriter
+  {
+  public:
+    /**
+     * Creates the output directory, or throws InputError; writes nothing else.
+     * Seconds spent here are added to @p output_seconds . The references must
+     * outlive the writer; @p model goes to summary.json.
+     */
+    OutputWriter(const Parameters &parameters,
+                 const FiberSet   &fibers,
+                 const FiberMesh  &mesh,
+                 const ModelSize  &model,
+                 const MPI_Comm    comm,
+                 double           &output_seconds);
+
+    /**
+     * Goes on in the directory of the run that wrote @p checkpoint : keeps
+     * what that run wrote up to there. Not to be called where a scene only
+     * starts from the last state of another.
+     */
+    void
+    continue_from(const Checkpoint &checkpoint);
+
+    /** Writes parameters.prm. To be called once, before the first stage. */
+    void
+    begin();
+
+    /**
+     * Shows the state in which a stage starts: slices, and fields unless they
+     * are there already. Does nothing for a stage that is continued.
+     */
+    void
+    begin_stage(const std::string &stage, const State &state);
+
+    /** After an accepted increment. */
+    void
+    operator()(const IncrementReport &report);
+
+    /** Writes the checkpoint now, as for a stage that fails or is stopped. */
+    void
+    save(const State &state);
+
+    /**
+     * Sets the statistics of stage number @p stage of the scene, as for one
+     * that ends without a last increment.
+     */
+    void
+    record(const unsigned int stage, const StageStatistics &entry);
+
+    /** Writes summary.json with the statistics of the stages seen so far. */
+    void
+    write_summary(const bool converged);
+
+    /** Of the stages so far, those before a restart included. */
+    const std::vector<StageStatistics> &
+    stages() const
+    {
+      return statistics;
+    }
+
+  private:
+    std::string
+    path(const std::string &file) const;
+
+    bool
+    is_first_rank() const;
+
+    void
+    write_fields(const State                       &state,
+                 const std::vector<ContactElement> &contacts,
+                 const std::string                 &label);
+
+    void
+    write_slices(const State       &state,
+                 const std::string &stage,
+                 const std::string &label);
+
+    void
+    write_curve(const IncrementReport &report);
+
+    void
+    write_pictures(const IncrementReport &report);
+
+    void
+    write_end_of_stage(const IncrementReport &report);
+
+    Parameters                   parameters;
+    const FiberSet              &fibers;
+    const FiberMesh             &mesh;
+    Summary                      summary;
+    MPI_Comm                     comm;
+    double                      &output_seconds;
+    std::string                  model_description;
+    FieldSeries                  fiber_series;
+    FieldSeries                  section_series;
+    FieldSeries                  contact_series;
+    LoadingCurve                 curve;
+    std::vector<StageStatistics> statistics;
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_simulation_simulation_h
+#define fiberloom_simulation_simulation_h
+
+#include <fiberloom/base/command_line.h>
+#include <fiberloom/base/log.h>
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/contact/contact_generator.h>
+
+#include <fiberloom/output/writer.h>
+
+#include <memory>
+
+namespace fiberloom
+{
+  /** A whole run: parameters to model to stages to output. */
+  class Simulation
+  {
+  public:
+    /** Builds the model. Throws InputError. */
+    Simulation(const Parameters  &parameters,
+               const CommandLine &command_line,
+               const MPI_Comm     comm);
+
+    /** Returns the exit status. Throws InputError before anything is written. */
+    int
+    run();
+
+  private:
+    ModelSize
+    model_size() const;
+
+    void
+    print_check();
+
+    /** The state to start from, and whether it continues this scene. */
+    State
+    initial_state();
+
+    int
+    run_stages(State &state, OutputWriter &writer);
+
+    void
+    log_what_is_left_out();
+
+    void
+    log_timings(const std::vector<StageStatistics> &stages);
+
+    const Parameters   parameters;
+    const CommandLine  command_line;
+    const MPI_Comm     comm;
+    const FiberSet     fibers;
+    const FiberMesh    mesh;
+    ContactGenerator   generator;
+    Log                log;
+    Checkpoint         restart;
+    bool               continues = false;
+    double             output_seconds = 0;
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_simulation_stage_run_h
+#define fiberloom_simulation_stage_run_h
+
+#include <fiberloom/base/log.h>
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/stages/stage.h>
+
+#include <functional>
+#include <string>
+
+namespace fiberloom
+{
+  /**
+   * Takes a stage from its start, or from where @p state is, to its end by
+   * increments of the load. A failed increment is rolled back, cut and tried
+   * again; a cheap one lets the next be longer.
+   */
+  class StageRun
+  {
+  public:
+    /** @p stop_requested is asked after each accepted increment. */
+    StageRun(const Scene          &scene,
+             const Stage          &stage,
+             const std::string    &name,
+             ContactGenerator     &generator,
+             StageStatistics      &statistics,
+             Log                  &log,
+             const MPI_Comm        comm,
+             std::function<bool()> stop_requested);
+
+    /**
+     * @p observer sees each accepted state. Throws StageFailure when even the
+     * smallest increment fails and StopRequested on request, with the last
+     * accepted state in @p state .
+     */
+    void
+    run(State &state, const IncrementObserver &observer);
+
+  private:
+    bool
+    take_fast_path(State &state);
+
+    void
+    take_increment(State &state);
+
+    void
+    accept(State &state, State &&found, const double load);
+
+    void
+    show(const State &state, const IncrementObserver &observer);
+
+    std::string
+    increment_line(const State &state) const;
+
+    const Scene           scene;
+    const Stage          &stage;
+    const std::string     name;
+    ContactGenerator     &generator;
+    StageStatistics      &statistics;
+    Log                  &log;
+    std::function<bool()> stop_requested;
+    const Supports        supports;
+    System                system;
+    Equilibrium           equilibrium;
+    StageStatistics       shown; // what the last line of the log has told
+    double                load_at_start = 0;
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_solvers_equilibrium_h
+#define fiberloom_solvers_equilibrium_h
+
+#include <fiberloom/base/statistics.h>
+
+#include <fiberloom/contact/contact_generator.h>
+
+#include <fiberloom/model/system.h>
+
+#include <fiberloom/solvers/linear_solver.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace fiberloom
+{
+  struct Parameters;
+
+  /**
+   * Finds the equilibrium of an increment by the three nested loops of section
+   * 3.6 of the paper: on contact generation, on contact normals with friction
+   * limits, and Newton's method on all the rest. Both outer loops end by one
+   * criterion: the residual of the fully regenerated problem (new stations,
+   * normals, friction limits, stiffnesses) is below the contact tolerance
+   * times the largest contact force.
+   */
+  class Equilibrium
+  {
+  public:
+    /** References are kept. @p report receives lines for the log. */
+    Equilibrium(const FiberMesh                          &mesh,
+                const Parameters                         &parameters,
+                ContactGenerator                         &generator,
+                System                                   &system,
+                StageStatistics                          &statistics,
+                std::function<void(const std::string &)>  report);
+
+    /** What an increment is asked to satisfy. */
+    struct Problem
+    {
+      const State            &before; // the last accepted state
+      std::vector<BodyTarget> targets;
+      ContactRule             rule;
+    };
+
+    /** Moves @p state to equilibrium; false, with @p state spoilt, if it cannot. */
+    bool
+    solve(State &state, const Problem &problem);
+
+    /**
+     * As solve() without friction in one loop: contacts and normals are
+     * generated anew in every Newton iteration, at most @p largest_iterations
+     * of them.
+     */
+    bool
+    solve_in_one_loop(State             &state,
+                      const Problem     &problem,
+                      const unsigned int largest_iterations);
+
+    /** @p n iterations of that loop, converged or not. */
+    void
+    iterate(State &state, const Problem &problem, const unsigned int n);
+
+    /** Whether @p state satisfies the criterion as it is. */
+    bool
+    is_solved(State &state, const Problem &problem);
+
+    /** See ContactGenerator::absorb_overlap(), at the vertical contacts of @p state . */
+    void
+    absorb_overlap(State &state, const State &before);
+
+    /** Contacts of the last solve. */
+    const std::vector<ContactElement> &
+    contacts() const
+    {
+      return contact_elements;
+    }
+
+    double
+    largest_penetration() const; // over the radius
+
+    unsigned int
+    newton_iterations() const
+    {
+      return statistics.newton_iterations;
+    }
+
+  private:
+    void
+    generate(State &state, const Problem &problem);
+
+    void
+    update_normals(const State &state, const Problem &problem);
+
+    /** Residual over its scale, from scratch. */
+    double
+    measure(const State &state, const Problem &problem);
+
+    bool
+    newton(State &state, const Problem &problem, const double tolerance);
+
+    enum class Step
+    {
+      converged,
+      moved,
+      failed
+    };
+
+    Step
+    newton_step(State         &state,
+                const Problem &problem,
+                const double   tolerance,
+                const bool     search_line);
+
+    double
+    search_along(const State           &state,
+                 const Problem         &problem,
+                 const Eigen::VectorXd &increment,
+                 const double           factor) const;
+
+    bool
+    adapt_stiffness(State &state) const;
+
+    double
+    residual_scale() const;
+
+    double
+    tolerance() const;
+
+    const FiberMesh                         &mesh;
+    const Parameters                        &parameters;
+    ContactGenerator                        &generator;
+    System                                  &system;
+    LinearSolver                             linear_solver;
+    StageStatistics                         &statistics;
+    std::function<void(const std::string &)> report;
+    std::vector<ContactElement>              contact_elements;
+    double                                   damping = 0; // over E r
+    double                                   last_factor = 1;
+  };
+} // namespace fiberloom
+
+#endif

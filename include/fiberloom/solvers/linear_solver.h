@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_solvers_linear_solver_h
+#define fiberloom_solvers_linear_solver_h
+
+#include <fiberloom/solvers/direct_factor.h>
+
+#include <string>
+#include <vector>
+
+namespace fiberloom
+{
+  /**
+   * Solves the symmetric system of a Newton iteration by a Krylov method of
+   * Trilinos in double precision around a MUMPS factor in single or double
+   * precision. An indefinite matrix gets a diagonal shift that grows until it
+   * is not, so that the solution is a direction of descent.
+   */
+  class LinearSolver
+  {
+  public:
+    /** @p precision : automatic, single or double. */
+    LinearSolver(const BlockLayout &layout, const std::string &precision);
+
+    struct Outcome
+    {
+      unsigned int iterations     = 0;
+      unsigned int factorizations = 0;
+      double       shift          = 0;
+    };
+
+    /**
+     * @p solution : the owned part, resized. @p damping is added to the
+     * diagonal in any case, @p shift_unit is the smallest shift to be tried
+     * where the matrix is indefinite [N/mm]. Throws StageFailure if no shift
+     * helps.
+     */
+    Outcome
+    solve(const BlockMatrix         &matrix,
+          const std::vector<double> &right_hand_side,
+          const double               damping,
+          const double               shift_unit,
+          std::vector<double>       &solution);
+
+  private:
+    const BlockLayout &layout;
+    DirectFactor       factor;
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_stages_biaxial_h
+#define fiberloom_stages_biaxial_h
+
+#include <fiberloom/stages/tow_ends.h>
+
+namespace fiberloom
+{
+  /**
+   * Section 6.2 of the paper: the sample is stretched in warp and fill, every
+   * tow end moving with the homogeneous deformation of the sample.
+   */
+  class Biaxial : public Stage
+  {
+  public:
+    explicit Biaxial(const Scene &scene);
+
+    Supports
+    supports() const override;
+
+    void
+    begin(State &state, Equilibrium &equilibrium) const override;
+
+    std::vector<BodyTarget>
+    targets(const std::vector<Placement> &start,
+            const double                  load) const override;
+
+    ContactRule
+    rule(const double load) const override;
+
+    double
+    first_step(const State &state) const override;
+
+    double
+    largest_step() const override;
+
+    CurveRow
+    curve(const State                   &state,
+          const std::vector<BodyVector> &reactions) const override;
+
+  private:
+    double warp_strain, fill_strain; // at full load
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_stages_relax_h
+#define fiberloom_stages_relax_h
+
+#include <fiberloom/stages/tow_ends.h>
+
+namespace fiberloom
+{
+  /**
+   * From the woven state to equilibrium with standard contact normals and
+   * friction, tow ends free along the tows. A vertical gap between inclined
+   * fibers is an overlap along the standard normal: each crossing gets the
+   * offset that keeps its force, and offsets go to zero over the stage.
+   */
+  class Relax : public Stage
+  {
+  public:
+    using Stage::Stage;
+
+    Supports
+    supports() const override;
+
+    void
+    begin(State &state, Equilibrium &equilibrium) const override;
+
+    std::vector<BodyTarget>
+    targets(const std::vector<Placement> &start,
+            const double                  load) const override;
+
+    ContactRule
+    rule(const double load) const override;
+
+    /** One step if no contact has an offset. */
+    double
+    first_step(const State &state) const override;
+
+    CurveRow
+    curve(const State                   &state,
+          const std::vector<BodyVector> &reactions) const override;
+  };
+} // namespace fiberloom
+
+#endif

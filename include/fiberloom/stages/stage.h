@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_stages_stage_h
+#define fiberloom_stages_stage_h
+
+#include <fiberloom/base/statistics.h>
+
+#include <fiberloom/contact/contact_element.h>
+
+#include <fiberloom/coupling/rigid_body.h>
+
+#include <fiberloom/model/state.h>
+
+#include <fiberloom/solvers/equilibrium.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fiberloom
+{
+  /** One row of loading_curve.csv: columns in order, name with unit and value. */
+  using CurveRow = std::vector<std::pair<std::string, double>>;
+
+  /** What a stage shows to output after each accepted increment, on every rank. */
+  struct IncrementReport
+  {
+    const std::string                          &stage;
+    const State                                &state;
+    const std::vector<ContactElement>          &contacts;
+    const Supports                             &supports;
+    const std::vector<BodyVector>              &reactions; // per body [N], [N mm]
+    CurveRow                                    curve;
+    const StageStatistics                      &statistics; // of the stage so far
+    bool                                        last; // of the stage
+  };
+
+  /** What every stage is made from. */
+  struct Scene
+  {
+    const Parameters &parameters;
+    const FiberSet   &fibers;
+    const FiberMesh  &mesh;
+  };
+
+  /**
+   * One stage of a scene: which bodies hold what, where they go, and how
+   * contact is generated, all as functions of a load that runs from 0 to 1.
+   * Stages share one state. To add a stage, derive from this and name it in
+   * create_stage().
+   */
+  class Stage
+  {
+  public:
+    explicit Stage(const Scene &scene)
+      : scene(scene)
+    {}
+
+    virtual ~Stage() = default;
+
+    /** Bodies and the nodes they hold, from the state at the start. */
+    virtual Supports
+    supports() const = 0;
+
+    /**
+     * Prepares @p state at the start of the stage: placements of the bodies
+     * where they have none.
+     */
+    virtual void
+    begin(State &state, Equilibrium &equilibrium) const = 0;
+
+    /** What the bodies are to do at @p load ; @p start are their placements at its start. */
+    virtual std::vector<BodyTarget>
+    targets(const std::vector<Placement> &start, const double load) const = 0;
+
+    virtual ContactRule
+    rule(const double load) const = 0;
+
+    /** Of the load. */
+    virtual double
+    first_step(const State &state) const = 0;
+
+    virtual double
+    largest_step() const
+    {
+      return 1;
+    }
+
+    /**
+     * A cheaper way to the end of the stage than by increments, tried once at
+     * its start. False, with @p state spoilt, where there is none or it fails.
+     */
+    virtual bool
+    take_fast_path(State &, const State & /*before*/, Equilibrium &) const
+    {
+      return false;
+    }
+
+    /** The stage's columns of the loading curve. */
+    virtual CurveRow
+    curve(const State &state, const std::vector<BodyVector> &reactions) const = 0;
+
+  protected:
+    const Scene scene;
+  };
+
+  /** Throws InputError for an unknown name. */
+  std::unique_ptr<Stage>
+  create_stage(const std::string &name, const Scene &scene);
+
+  using IncrementObserver = std::function<void(const IncrementReport &)>;
+} // namespace fiberloom
+
+#endif

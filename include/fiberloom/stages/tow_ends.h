@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_stages_tow_ends_h
+#define fiberloom_stages_tow_ends_h
+
+#include <fiberloom/stages/stage.h>
+
+namespace fiberloom
+{
+  /**
+   * The rigid bodies of a fabric: one on each end of each tow, in the order of
+   * the tows, start before end, then the ground. A tow end holds the centres
+   * of its fibers and the direction of their first section vector, so that
+   * they cannot spin but may slope up and down.
+   */
+  namespace TowEnds
+  {
+    /** Body of the start (side 0) or end (side 1) of a tow. */
+    inline unsigned int
+    body(const unsigned int tow, const unsigned int side)
+    {
+      return 2 * tow + side;
+    }
+
+    /** Axis of a tow before weaving. */
+    Vector3
+    axis(const Tow &tow);
+
+    /**
+     * All dofs prescribed, or, if @p axially_free , all but the translations
+     * along the tows; then the middle of every fiber is held along its axis
+     * by the ground.
+     */
+    Supports
+    supports(const Scene &scene, const bool axially_free);
+
+    /** Placements at the mean of the held centres, where @p state has none. */
+    void
+    place(const Scene &scene, State &state);
+
+    /** Mean axial pull on the two ends of all tows of a family [N]. */
+    double
+    pull(const Scene                   &scene,
+         const Tow::Family              family,
+         const std::vector<BodyVector> &reactions);
+  } // namespace TowEnds
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_stages_weave_h
+#define fiberloom_stages_weave_h
+
+#include <fiberloom/stages/tow_ends.h>
+
+namespace fiberloom
+{
+  /**
+   * Section 4.1 of the paper: from flat tows that interpenetrate, fibers of
+   * crossing tows are moved past each other by vertical contact normals, the
+   * overlap that is allowed between them shrinking from the tows' thickness to
+   * nothing. Tow ends are free along the tows.
+   */
+  class Weave : public Stage
+  {
+  public:
+    explicit Weave(const Scene &scene);
+
+    Supports
+    supports() const override;
+
+    void
+    begin(State &state, Equilibrium &equilibrium) const override;
+
+    std::vector<BodyTarget>
+    targets(const std::vector<Placement> &start,
+            const double                  load) const override;
+
+    ContactRule
+    rule(const double load) const override;
+
+    double
+    first_step(const State &state) const override;
+
+    /**
+     * Without friction, a few iterations for each overlap and all of contact
+     * regenerated in each, then straight to the standard normals.
+     */
+    bool
+    take_fast_path(State       &state,
+                   const State &before,
+                   Equilibrium &equilibrium) const override;
+
+    CurveRow
+    curve(const State                   &state,
+          const std::vector<BodyVector> &reactions) const override;
+
+  private:
+    double full_overlap; // [mm]
+    double radius;       // [mm]
+  };
+} // namespace fiberloom
+
+#endif

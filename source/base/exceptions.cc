@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/exceptions.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <sstream>
+
+namespace fiberloom
+{
+  std::string
+  one_line(const std::exception &exception)
+  {
+    std::stringstream text;
+    if (const auto *library_exception =
+          dynamic_cast<const dealii::ExceptionBase *>(&exception))
+      library_exception->print_info(text);
+    else
+      text << exception.what();
+
+    std::string line, word;
+    while (text >> word)
+      line += (line.empty() ? "" : " ") + word;
+    return line;
+  }
+} // namespace fiberloom

@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/parameter_catalogue.h>
+#include <fiberloom/base/parameters.h>
+
+namespace fiberloom
+{
+  namespace
+  {
+    // bounds that keep a slip of the finger from filling the memory
+    constexpr int most_tows = 1000, most_fibers = 10000, most_elements = 10000,
+                  most_iterations = 100000;
+
+    void
+    declare_material(ParameterCatalogue &catalogue,
+                     double             &young_modulus,
+                     double             &poisson_ratio)
+    {
+      catalogue.add("Young modulus",
+                    young_modulus,
+                    "Young's modulus of the fibers [MPa].",
+                    Allowed::above(0));
+      catalogue.add("Poisson ratio",
+                    poisson_ratio,
+                    "Poisson's ratio of the fibers.",
+                    Allowed::from_to_below(0, .5));
+    }
+
+    void
+    declare_tows(ParameterCatalogue &catalogue, TowParameters &tows)
+    {
+      catalogue.add("Tows",
+                    tows.tows,
+                    "Number of tows of the sample in this direction.",
+                    Allowed::whole(1, most_tows));
+      catalogue.add("Fibers per tow",
+                    tows.fibers,
+                    "Number of fibers of each tow.",
+                    Allowed::whole(1, most_fibers));
+      catalogue.add("Layers",
+                    tows.layers,
+                    "Numbers of fibers of the layers of a tow, bottom to top; "
+                    "each layer is staggered over the one below. Empty: a flat "
+                    "hexagon.",
+                    Allowed::list_of(Allowed::whole(1, most_fibers)));
+      catalogue.add("Fiber radius",
+                    tows.fiber_radius,
+                    "Radius of the round fibers [mm].",
+                    Allowed::above(0));
+      catalogue.add("Fiber spacing",
+                    tows.fiber_spacing,
+                    "Distance between the axes of neighboring fibers of a tow, "
+                    "over the fiber radius; at least 2.",
+                    Allowed::above(0));
+      catalogue.add("Tow spacing",
+                    tows.tow_spacing,
+                    "Distance between the axes of neighboring tows [mm].",
+                    Allowed::above(0));
+      catalogue.add("Overhang",
+                    tows.overhang,
+                    "Length of the tows beyond the axis of the last crossing "
+                    "tow, at both ends [mm]. 0: half the spacing of the "
+                    "crossing tows.",
+                    Allowed::at_least(0));
+      declare_material(catalogue, tows.young_modulus, tows.poisson_ratio);
+      catalogue.add(
+        "Elements per fiber",
+        tows.elements_per_fiber,
+        "Number of quadratic beam elements along each fiber. 0: "
+        "by the accuracy, some 4 (draft), 6 (standard) or 10 (fine) "
+        "per crossing tow.",
+        Allowed::whole(0, most_elements));
+    }
+
+    void
+    declare_fabric(ParameterCatalogue &catalogue, FabricParameters &fabric)
+    {
+      catalogue.enter_section("Fabric");
+      catalogue.add("Pattern",
+                    fabric.pattern,
+                    "Which tow lies above at each crossing. Rows stand for the "
+                    "fill tows, with one digit for each warp tow: 1 where the "
+                    "warp tow is above, 0 where it is below, such as 1010 0101 "
+                    "for two fill tows and four warp tows.",
+                    Allowed::text_like(
+                      "plain, twill 2/2, twill 3/1, twill 1/3, satin 5, "
+                      "satin 8, or rows of 0 and 1 with blanks or / between"));
+      catalogue.enter_section("Warp");
+      declare_tows(catalogue, fabric.warp);
+      catalogue.leave_section();
+      catalogue.enter_section("Fill");
+      catalogue.add("Same as warp",
+                    fabric.fill.same_as_warp,
+                    "Takes every entry of the fill tows that is not given from "
+                    "the warp tows.",
+                    Allowed::true_or_false());
+      declare_tows(catalogue, fabric.fill);
+      catalogue.leave_section();
+      catalogue.leave_section();
+    }
+
+    void
+    declare_fibers(ParameterCatalogue &catalogue, FibersParameters &fibers)
+    {
+      catalogue.enter_section("Fibers");
+      catalogue.add("Polylines",
+                    fibers.polylines,
+                    "Fibers that are no fabric: the stress-free axis of each "
+                    "as a line through points [mm]. If given, there is no "
+                    "fabric.",
+                    Allowed::text_like("points x y z with commas between, "
+                                       "fibers with semicolons between"));
+      catalogue.add("Radius",
+                    fibers.radius,
+                    "Radius of the round fibers [mm].",
+                    Allowed::above(0));
+      declare_material(catalogue, fibers.young_modulus, fibers.poisson_ratio);
+      catalogue.add("Elements per fiber",
+                    fibers.elements_per_fiber,
+                    "Number of quadratic beam elements along each fiber.",
+                    Allowed::whole(1, most_elements));
+      catalogue.leave_section();
+    }
+
+    void
+    declare_drive(ParameterCatalogue &catalogue, DriveParameters &drive)
+    {
+      const Allowed functions =
+        Allowed::text_like("three functions of t with semicolons between");
+
+      catalogue.enter_section("Drive " + drive.name);
+      catalogue.add(
+        "Ends",
+        drive.ends,
+        "Ends of fibers, counted from 0, that the rigid body holds.",
+        Allowed::text_like("such as 0 start, 0 end, 3 start"));
+      catalogue.add("Hold",
+                    drive.hold,
+                    "How it holds them: clamped holds the axis' end and the "
+                    "directions of the section; pinned the axis' end and the "
+                    "rotation of the section about the axis; centers only the "
+                    "axis' end.",
+                    Allowed::one_of("clamped|pinned|centers"));
+      catalogue.add("Free",
+                    drive.free,
+                    "Degrees of freedom of the body that are not prescribed; "
+                    "rx is the rotation about x.",
+                    Allowed::text_like("any of x y z rx ry rz with blanks "
+                                       "between"));
+      catalogue.add("Translation",
+                    drive.translation,
+                    "Displacement of the body [mm] along x, y and z while t "
+                    "goes from 0 to 1.",
+                    functions);
+      catalogue.add("Rotation",
+                    drive.rotation,
+                    "Rotation vector of the body [rad] while t goes from 0 to "
+                    "1.",
+                    functions);
+      catalogue.add("Force",
+                    drive.force,
+                    "Dead force [N] on the degrees of freedom x, y and z that "
+                    "are free, while t goes from 0 to 1.",
+                    functions);
+      catalogue.add(
+        "Moment",
+        drive.moment,
+        "Moment [N mm] on the degrees of freedom rx, ry and rz that "
+        "are free, while t goes from 0 to 1.",
+        functions);
+      catalogue.leave_section();
+    }
+
+    void
+    declare_contact(ParameterCatalogue &catalogue, ContactParameters &contact)
+    {
+      catalogue.enter_section("Contact");
+      catalogue.add("Friction coefficient",
+                    contact.friction_coefficient,
+                    "Coulomb's coefficient between fibers; 0: no friction.",
+                    Allowed::at_least(0));
+      catalogue.add(
+        "Largest penetration",
+        contact.largest_penetration,
+        "Penetration that the penalty is adapted to, over the fiber "
+        "radius. 0: by the accuracy, 0.02 (draft, standard) or 0.01 "
+        "(fine).",
+        Allowed::from_to_below(0, 1));
+      catalogue.add(
+        "Stations per element",
+        contact.stations_per_element,
+        "Contact elements per beam element where fibers run along "
+        "each other. 0: by the accuracy, 1 (draft), 2 (standard) or "
+        "4 (fine).",
+        Allowed::from_to(0, 100));
+      catalogue.add("Initial stiffness",
+                    contact.initial_stiffness,
+                    "Penalty stiffness of a new contact, over Young's modulus "
+                    "times the fiber radius.",
+                    Allowed::above(0));
+      catalogue.add(
+        "Elastic slip",
+        contact.elastic_slip,
+        "Reversible tangential displacement before a contact slips, "
+        "over the fiber radius.",
+        Allowed::above(0));
+      catalogue.add("Search margin",
+                    contact.search_margin,
+                    "Distance between fiber surfaces up to which contacts are "
+                    "made ready, over the fiber radius.",
+                    Allowed::above(0));
+      catalogue.leave_section();
+    }
+
+    void
+    declare_weaving(ParameterCatalogue &catalogue, WeavingParameters &weaving)
+    {
+      catalogue.enter_section("Weaving");
+      catalogue.add("Path",
+                    weaving.path,
+                    "fast weaves without friction in one loop, nested with all "
+                    "loops and friction; automatic tries fast first and falls "
+                    "back to nested.",
+                    Allowed::one_of("automatic|fast|nested"));
+      catalogue.add("Step",
+                    weaving.step,
+                    "By how much the allowed overlap of crossing tows shrinks "
+                    "in a step, over the fiber radius.",
+                    Allowed::above(0));
+      catalogue.add("Fast iterations per step",
+                    weaving.fast_iterations_per_step,
+                    "Newton iterations of each step of the fast path.",
+                    Allowed::whole(1, most_iterations));
+      catalogue.add("Fast end iterations",
+                    weaving.fast_end_iterations,
+                    "Newton iterations in which the fast path has to converge "
+                    "at its end.",
+                    Allowed::whole(1, most_iterations));
+      catalogue.leave_section();
+    }
+
+    void
+    declare_steps(ParameterCatalogue &catalogue,
+                  double             &first_step,
+                  double             &largest_step,
+                  const std::string  &whole)
+    {
+      catalogue.add("First step",
+                    first_step,
+                    "First increment, over " + whole +
+                      "; never more than the largest step.",
+                    Allowed::from_to(1e-6, 1));
+      catalogue.add("Largest step",
+                    largest_step,
+                    "Largest increment, over " + whole + ".",
+                    Allowed::from_to(1e-6, 1));
+    }
+
+    void
+    declare_tests(ParameterCatalogue &catalogue,
+                  RelaxParameters    &relax,
+                  BiaxialParameters  &biaxial,
+                  LoadParameters     &load)
+    {
+      catalogue.enter_section("Relax");
+      catalogue.add(
+        "Steps",
+        relax.steps,
+        "Steps in which the overlap left from weaving goes to zero.",
+        Allowed::whole(1, most_iterations));
+      catalogue.leave_section();
+
+      catalogue.enter_section("Biaxial");
+      catalogue.add("Largest strain",
+                    biaxial.largest_strain,
+                    "Elongation of the sample in the leading direction at the "
+                    "end of the test, over its length.",
+                    Allowed::from_to(1e-9, 1));
+      catalogue.add("Strain ratio",
+                    biaxial.strain_ratio,
+                    "Strain of the other direction over that of the leading "
+                    "one; 0 holds the other direction.",
+                    Allowed::any_number());
+      catalogue.add("Leading direction",
+                    biaxial.leading_direction,
+                    "Direction that takes the largest strain.",
+                    Allowed::one_of("warp|fill"));
+      declare_steps(catalogue,
+                    biaxial.first_step,
+                    biaxial.largest_step,
+                    "the largest strain");
+      catalogue.leave_section();
+
+      catalogue.enter_section("Load");
+      declare_steps(catalogue,
+                    load.first_step,
+                    load.largest_step,
+                    "the whole of stage load, in which t goes from 0 to 1");
+      catalogue.leave_section();
+    }
+
+    void
+    declare_solver(ParameterCatalogue &catalogue, SolverParameters &solver)
+    {
+      catalogue.enter_section("Solver");
+      catalogue.add("Contact tolerance",
+                    solver.contact_tolerance,
+                    "Residual, after contacts and normals are found anew, at "
+                    "which an increment is accepted, over the largest contact "
+                    "force. 0: by the accuracy, 0.02 (draft), 0.01 (standard) "
+                    "or 0.001 (fine).",
+                    Allowed::from_to_below(0, 1));
+      catalogue.add("Newton tolerance",
+                    solver.newton_tolerance,
+                    "Residual where there is no contact, over the internal "
+                    "forces.",
+                    Allowed::from_to(1e-15, .1));
+      catalogue.add(
+        "Largest move",
+        solver.largest_move,
+        "Largest displacement in a Newton iteration, over the fiber "
+        "radius; 0: unlimited.",
+        Allowed::at_least(0));
+      catalogue.add("Largest contact passes",
+                    solver.largest_contact_passes,
+                    "Detections of contact in an increment before it is cut.",
+                    Allowed::whole(1, most_iterations));
+      catalogue.add("Largest normal passes",
+                    solver.largest_normal_passes,
+                    "Updates of the normals for one detection.",
+                    Allowed::whole(1, most_iterations));
+      catalogue.add("Largest Newton iterations",
+                    solver.largest_newton_iterations,
+                    "Newton iterations for one update of the normals.",
+                    Allowed::whole(1, most_iterations));
+      catalogue.add("Line search from",
+                    solver.line_search_from,
+                    "Newton iteration from which the energy must decrease.",
+                    Allowed::whole(1, most_iterations));
+      catalogue.add("Growth",
+                    solver.growth,
+                    "Factor by which an increment grows after an easy one.",
+                    Allowed::from_to(1, 10));
+      catalogue.add("Largest cuts",
+                    solver.largest_cuts,
+                    "How many times in a row an increment may be halved.",
+                    Allowed::whole(0, 50));
+      catalogue.add("Factor precision",
+                    solver.factor_precision,
+                    "Precision of the factors of the tangent. Single is a "
+                    "preconditioner: half the memory, the same result.",
+                    Allowed::one_of("automatic|double|single"));
+      catalogue.leave_section();
+    }
+
+    void
+    declare_output(ParameterCatalogue &catalogue, OutputParameters &output)
+    {
+      catalogue.enter_section("Output");
+      catalogue.add("Fields every",
+                    output.fields_every,
+                    "Increments between files for ParaView; 0: only at the end "
+                    "of a stage.",
+                    Allowed::whole(0, most_iterations));
+      catalogue.add("Slices",
+                    output.slices,
+                    "Direction of the tows that the slices cut across.",
+                    Allowed::one_of("warp|fill|both|none"));
+      catalogue.add("Section points",
+                    output.section_points,
+                    "Points on the border of each section that is drawn.",
+                    Allowed::whole(3, 1000));
+      catalogue.add("Checkpoint every",
+                    output.checkpoint_every,
+                    "Increments between checkpoints.",
+                    Allowed::whole(1, most_iterations));
+      catalogue.add("Pictures",
+                    output.pictures,
+                    "Whether pictures of slices, fabric and curves are drawn.",
+                    Allowed::true_or_false());
+      catalogue.leave_section();
+    }
+  } // namespace
+
+  void
+  Parameters::declare(ParameterCatalogue &catalogue)
+  {
+    catalogue.add("Output directory",
+                  output_directory,
+                  "Where everything is written; created if absent.",
+                  Allowed::text_like("a directory"));
+    catalogue.add(
+      "Stages",
+      stages,
+      "What is done, in this order: weave moves the tows apart, "
+      "relax lets the fabric come to rest, biaxial pulls it in both "
+      "directions, load moves and loads the drives.",
+      Allowed::list_of(Allowed::one_of("weave|relax|biaxial|load")));
+    catalogue.add("Accuracy",
+                  accuracy,
+                  "Sets together the automatic values of elements per fiber, "
+                  "stations, penetration and tolerance.",
+                  Allowed::one_of("draft|standard|fine"));
+    catalogue.add("Maximal wall time",
+                  maximal_wall_time,
+                  "Time [s] after which the run writes a checkpoint and stops; "
+                  "0: unlimited.",
+                  Allowed::at_least(0));
+    catalogue.add("Drives",
+                  drive_names,
+                  "Names, chosen by the user, of rigid bodies that hold fiber "
+                  "ends. Each NAME has a section Drive NAME.",
+                  Allowed::list_of(Allowed::text_like("names")));
+    declare_fabric(catalogue, fabric);
+    declare_fibers(catalogue, fibers);
+    for (DriveParameters &drive : drives)
+      declare_drive(catalogue, drive);
+    declare_contact(catalogue, contact);
+    declare_weaving(catalogue, weaving);
+    declare_tests(catalogue, relax, biaxial, load);
+    declare_solver(catalogue, solver);
+    declare_output(catalogue, output);
+  }
+} // namespace fiberloom

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/beams/fiber_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiberloom
+{
+  FiberMesh::FiberMesh(const FiberSet &set)
+  {
+    unsigned int n_nodes = 0, n_elements = 0;
+    for (const Fiber &fiber : set.fibers)
+      {
+        n_nodes += fiber.centers.size();
+        n_elements += fiber.n_elements();
+      }
+    reference_dofs.resize(dofs_per_node * n_nodes);
+    beam_elements.reserve(n_elements);
+    element_fibers.reserve(n_elements);
+
+    unsigned int node = 0;
+    for (const Fiber &fiber : set.fibers)
+      {
+        Line line{node,
+                  static_cast<unsigned int>(beam_elements.size()),
+                  fiber.n_elements(),
+                  fiber.tow,
+                  fiber.radius,
+                  fiber.young_modulus,
+                  0.};
+        for (unsigned int n = 0; n < fiber.centers.size(); ++n, ++node)
+          reference_dofs.segment<9>(9 * node) << fiber.centers[n],
+            fiber.radius * fiber.directions_1[n],
+            fiber.radius * fiber.directions_2[n];
+
+        for (unsigned int e = 0; e < line.n_elements; ++e)
+          {
+            beam_elements.emplace_back(
+              reference_dofs.segment<27>(9 * (line.first_node + 2 * e)),
+              fiber.radius,
+              fiber.young_modulus,
+              fiber.poisson_ratio);
+            element_fibers.push_back(fiber_lines.size());
+            line.length += beam_elements.back().length();
+          }
+        fiber_lines.push_back(line);
+      }
+  }
+
+
+
+  ElementPoint
+  FiberMesh::locate(const unsigned int fiber, const double u) const
+  {
+    const Line  &line = fiber_lines[fiber];
+    const double e =
+      std::clamp(std::floor(u), 0., static_cast<double>(line.n_elements - 1));
+    return {line.first_element + static_cast<unsigned int>(e),
+            std::clamp(2 * (u - e) - 1, -1., 1.)};
+  }
+
+
+
+  Section
+  FiberMesh::section(const DofVector &q, const ElementPoint &point) const
+  {
+    const auto   N     = shape_values(point.xi);
+    const auto   dN    = shape_derivatives(point.xi);
+    const double scale = 2; // d xi / d u
+
+    Section section{Vector3::Zero(),
+                    Vector3::Zero(),
+                    Vector3::Zero(),
+                    Vector3::Zero()};
+    for (unsigned int a = 0; a < 3; ++a)
+      {
+        const auto node = q.segment<9>(9 * (first_node(point.element) + a));
+        section.center += N[a] * node.head<3>();
+        section.center_derivative += scale * dN[a] * node.head<3>();
+        section.vector_1 += N[a] * node.segment<3>(3);
+        section.vector_2 += N[a] * node.tail<3>();
+      }
+    return section;
+  }
+} // namespace fiberloom

@@ -1,0 +1,461 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/contact/contact_generator.h>
+#include <fiberloom/contact/contact_law.h>
+
+#include <fiberloom/fabric/superimposition.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace fiberloom
+{
+  namespace
+  {
+    // |cos| of the angle of two fibers above which a crossing zone becomes
+    // parallel, and below which a parallel one becomes crossing.
+    constexpr double parallel_above = .95, crossing_below = .85;
+
+    double
+    largest_radius(const FiberMesh &mesh)
+    {
+      double radius = 0;
+      for (const auto &line : mesh.lines())
+        radius = std::max(radius, line.radius);
+      return radius;
+    }
+
+    std::vector<std::array<unsigned int, 2>>
+    find_woven_pairs(const FiberSet &set)
+    {
+      std::vector<std::array<unsigned int, 2>> pairs;
+      for (unsigned int i = 0; set.pattern && i < set.fibers.size(); ++i)
+        for (unsigned int j = i + 1; j < set.fibers.size(); ++j)
+          if (superimposition(set, i, j) != 0)
+            pairs.push_back({{i, j}});
+      return pairs;
+    }
+
+    int
+    sign(const double value)
+    {
+      return value >= 0 ? 1 : -1;
+    }
+  } // namespace
+
+
+
+  ContactGenerator::ContactGenerator(const FiberSet          &fibers,
+                                     const FiberMesh         &mesh,
+                                     const ContactParameters &parameters)
+    : fibers(fibers)
+    , mesh(mesh)
+    , parameters(parameters)
+    , search(mesh,
+             parameters.search_margin * largest_radius(mesh),
+             .5 * largest_radius(mesh))
+    , woven_pairs(find_woven_pairs(fibers))
+  {}
+
+
+
+  ContactElement
+  ContactGenerator::new_element(const unsigned int   zone,
+                                const ParameterPair &u,
+                                const ContactState  &state) const
+  {
+    const ContactZone &of = state.zones[zone];
+    ContactElement     contact;
+    contact.zone   = zone;
+    contact.fibers = of.fibers;
+    for (unsigned int s = 0; s < 2; ++s)
+      {
+        contact.points[s]      = mesh.locate(of.fibers[s], u[s]);
+        contact.first_nodes[s] = mesh.first_node(contact.points[s].element);
+        contact.weights[s]     = shape_values(contact.points[s].xi);
+        contact.radii[s]       = mesh.lines()[of.fibers[s]].radius;
+      }
+    const double radius = std::min(contact.radii[0], contact.radii[1]);
+    contact.normal      = Vector3::Zero();
+    contact.offset      = 0;
+    contact.stiffness   = of.stiffness;
+    contact.regularization = parameters.largest_penetration * radius / 4;
+    contact.friction_limit = 0;
+    contact.elastic_slip   = parameters.elastic_slip * radius;
+    contact.slip_before.setZero();
+    contact.separation_before.setZero();
+    contact.particles = {};
+    return contact;
+  }
+
+
+
+  ContactZone
+  ContactGenerator::successor(
+    const std::array<unsigned int, 2>          &pair,
+    const std::array<std::array<double, 2>, 2> &range,
+    const ContactState                         &before,
+    const bool                                  default_class) const
+  {
+    const auto &first = mesh.lines()[pair[0]], &second = mesh.lines()[pair[1]];
+    double      stiffness = 0;
+    const ContactZone *predecessor =
+      find_predecessor(before.zones, pair, range, stiffness);
+    if (predecessor == nullptr)
+      stiffness = parameters.initial_stiffness *
+                  std::min(first.young_modulus * first.radius,
+                           second.young_modulus * second.radius);
+
+    ContactZone zone;
+    zone.fibers    = pair;
+    zone.range     = range;
+    zone.stiffness = stiffness;
+    zone.crossing  = predecessor ? predecessor->crossing : default_class;
+    zone.side      = predecessor ? predecessor->side : 0;
+    zone.offset    = predecessor ? predecessor->offset : 0;
+    if (const int order = superimposition(fibers, pair[0], pair[1]))
+      zone.side = order;
+    return zone;
+  }
+
+
+
+  std::vector<ContactElement>
+  ContactGenerator::generate(const DofVector   &q,
+                             const DofVector   &q_before,
+                             const ContactRule &rule,
+                             ContactState      &state)
+  {
+    ContactState before;
+    before.zones.swap(state.zones);
+    std::vector<ContactElement> contacts;
+    add_proximity_zones(q, rule, before, state, contacts);
+    if (rule.vertical)
+      add_woven_crossings(q, rule, before, state, contacts);
+
+    // Sorted by fibers, so that predecessors are found by bisection.
+    std::vector<unsigned int> order(state.zones.size()), rank(order.size());
+    for (unsigned int z = 0; z < order.size(); ++z)
+      order[z] = z;
+    std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+      return std::tie(state.zones[a].fibers, state.zones[a].range) <
+             std::tie(state.zones[b].fibers, state.zones[b].range);
+    });
+    std::vector<ContactZone> sorted;
+    sorted.reserve(order.size());
+    for (unsigned int z = 0; z < order.size(); ++z)
+      {
+        rank[order[z]] = z;
+        sorted.push_back(state.zones[order[z]]);
+      }
+    state.zones.swap(sorted);
+    for (ContactElement &contact : contacts)
+      contact.zone = rank[contact.zone];
+    std::stable_sort(contacts.begin(),
+                     contacts.end(),
+                     [](const ContactElement &a, const ContactElement &b) {
+                       return a.zone < b.zone;
+                     });
+
+    update(contacts, q, q_before, rule, state);
+    return contacts;
+  }
+
+
+
+  void
+  ContactGenerator::add_woven_crossings(
+    const DofVector             &q,
+    const ContactRule           &rule,
+    const ContactState          &before,
+    ContactState                &state,
+    std::vector<ContactElement> &contacts) const
+  {
+    const double margin = parameters.search_margin * largest_radius(mesh);
+    for (const auto &pair : woven_pairs)
+      {
+        ParameterPair start;
+        for (unsigned int s = 0; s < 2; ++s)
+          start[s] = .5 * mesh.lines()[pair[s]].n_elements;
+        const ParameterPair u = plan_crossing(mesh, q, pair, start);
+        const std::array<std::array<double, 2>, 2> range{
+          {{{u[0], u[0]}}, {{u[1], u[1]}}}};
+
+        state.zones.push_back(successor(pair, range, before, true));
+        state.zones.back().crossing = true;
+        const unsigned int zone     = state.zones.size() - 1;
+
+        ContactElement contact = new_element(zone, u, state);
+        set_normal(contact, q, rule, state);
+        contact.offset = rule.allowed_overlap;
+        if (contact_gap(contact, section_pair(contact, q)) < margin)
+          contacts.push_back(contact);
+        else
+          state.zones.pop_back();
+      }
+  }
+
+
+
+  void
+  ContactGenerator::add_proximity_zones(const DofVector    &q,
+                                        const ContactRule  &rule,
+                                        const ContactState &before,
+                                        ContactState       &state,
+                                        std::vector<ContactElement> &contacts)
+  {
+    const double margin = parameters.search_margin * largest_radius(mesh);
+    for (const ProximityZone &proximity :
+         find_proximity_zones(mesh, q, search.candidates(q), margin))
+      {
+        const auto &pair  = proximity.fibers;
+        const int   order = superimposition(fibers, pair[0], pair[1]);
+        if (rule.vertical && order != 0)
+          continue;
+
+        ParameterPair u = proximity.closest().u;
+        const Vector3 t1 =
+          mesh.section(q, mesh.locate(pair[0], u[0])).tangent();
+        const Vector3 t2 =
+          mesh.section(q, mesh.locate(pair[1], u[1])).tangent();
+        const double cosine = std::abs(t1.dot(t2));
+
+        ContactZone zone = successor(pair,
+                                     {{proximity.range(0), proximity.range(1)}},
+                                     before,
+                                     cosine < .5 * (parallel_above +
+                                                    crossing_below));
+        if (cosine > parallel_above)
+          zone.crossing = false;
+        else if (cosine < crossing_below)
+          zone.crossing = true;
+        state.zones.push_back(zone);
+        const unsigned int index = state.zones.size() - 1;
+
+        if (!zone.crossing)
+          {
+            add_parallel_stations(proximity, index, q, state, contacts);
+            continue;
+          }
+
+        u = mutual_closest_point(mesh, q, pair, u);
+        contacts.push_back(new_element(index, u, state));
+        contacts.back().offset = rule.offset_factor * zone.offset;
+        if (zone.side == 0)
+          {
+            const SectionPair x = section_pair(contacts.back(), q);
+            state.zones[index].side =
+              sign(t1.cross(t2).dot(x.head<3>() - x.segment<3>(9)));
+          }
+      }
+  }
+
+
+
+  void
+  ContactGenerator::add_parallel_stations(
+    const ProximityZone         &proximity,
+    const unsigned int           zone,
+    const DofVector             &q,
+    const ContactState          &state,
+    std::vector<ContactElement> &contacts) const
+  {
+    const auto  &pair    = proximity.fibers;
+    const double reach   = mesh.lines()[pair[0]].radius +
+                         mesh.lines()[pair[1]].radius +
+                         parameters.search_margin * largest_radius(mesh);
+    const double spacing = 1. / parameters.stations_per_element; // in u
+    const auto   range   = proximity.range(0);
+    const unsigned int before = contacts.size();
+
+    for (int k = std::ceil(range[0] / spacing - .5);
+         (k + .5) * spacing < range[1];
+         ++k)
+      {
+        const double u = (k + .5) * spacing;
+        // The closest match on this piece is where the search starts.
+        const ProximityZone::Match *nearest = nullptr;
+        for (const auto &match : proximity.matches)
+          if (match.pieces[0] == static_cast<unsigned int>(2 * u) &&
+              (nearest == nullptr || match.distance < nearest->distance))
+            nearest = &match;
+        if (nearest == nullptr)
+          continue;
+
+        const Section first = mesh.section(q, mesh.locate(pair[0], u));
+        const auto    cut =
+          cut_by_plane(mesh, q, first, pair[1], nearest->u[1]);
+        if (cut && (mesh.section(q, mesh.locate(pair[1], *cut)).center -
+                    first.center)
+                       .norm() < reach)
+          contacts.push_back(new_element(zone, {{u, *cut}}, state));
+      }
+
+    // A zone too short for the spacing still has its closest point.
+    if (contacts.size() == before)
+      contacts.push_back(new_element(
+        zone, mutual_closest_point(mesh, q, pair, proximity.closest().u), state));
+  }
+
+
+
+  bool
+  ContactGenerator::is_vertical(const ContactElement &contact,
+                                const ContactRule    &rule) const
+  {
+    return rule.vertical &&
+           superimposition(fibers, contact.fibers[0], contact.fibers[1]) != 0;
+  }
+
+
+
+  void
+  ContactGenerator::set_normal(ContactElement     &contact,
+                               const DofVector    &q,
+                               const ContactRule  &rule,
+                               const ContactState &state) const
+  {
+    const ContactZone &zone = state.zones[contact.zone];
+    if (is_vertical(contact, rule))
+      {
+        contact.normal = zone.side * Vector3::UnitZ();
+        return;
+      }
+
+    const Section first  = mesh.section(q, contact.points[0]);
+    const Section second = mesh.section(q, contact.points[1]);
+    const Vector3 t1 = first.tangent(), t2 = second.tangent();
+    if (zone.crossing)
+      {
+        contact.normal = zone.side * t1.cross(t2).normalized();
+        return;
+      }
+
+    const Vector3 tangent =
+      (t1 + sign(t1.dot(t2)) * t2).normalized();
+    Vector3 across = first.center - second.center;
+    across -= tangent * tangent.dot(across);
+    // Coincident axes: any direction across will do to part them.
+    contact.normal = across.norm() > 1e-10 * contact.radii[0] ?
+                       across.normalized() :
+                       first.vector_1.normalized();
+  }
+
+
+
+  namespace
+  {
+    /** The nearest entry of the same fibers within half an element, or null. */
+    const FrictionHistory *
+    nearest_history(const std::vector<FrictionHistory> &history,
+                    const ContactElement               &contact,
+                    const double                        u)
+    {
+      constexpr double       reach = .5;
+      const FrictionHistory *nearest  = nullptr;
+      double                 distance = reach;
+      for (auto entry = std::lower_bound(
+             history.begin(),
+             history.end(),
+             contact.fibers,
+             [](const FrictionHistory &h, const auto &pair) {
+               return h.fibers < pair;
+             });
+           entry != history.end() && entry->fibers == contact.fibers;
+           ++entry)
+        if (std::abs(entry->u[0] - u) < distance)
+          {
+            distance = std::abs(entry->u[0] - u);
+            nearest  = &*entry;
+          }
+      return nearest;
+    }
+  } // namespace
+
+
+
+  void
+  ContactGenerator::update(std::vector<ContactElement> &contacts,
+                           const DofVector             &q,
+                           const DofVector             &q_before,
+                           const ContactRule           &rule,
+                           const ContactState          &state) const
+  {
+    for (ContactElement &contact : contacts)
+      {
+        set_normal(contact, q, rule, state);
+        contact.stiffness   = state.zones[contact.zone].stiffness;
+        const SectionPair x = section_pair(contact, q);
+        contact.gap         = contact_gap(contact, x);
+        contact.normal_force =
+          normal_law(-contact.gap, contact.stiffness, contact.regularization)
+            .force;
+        place_particles(contact, x);
+        if (!rule.friction)
+          continue;
+
+        contact.friction_limit =
+          parameters.friction_coefficient * contact.normal_force;
+        contact.separation_before =
+          particle_separation(contact, section_pair(contact, q_before));
+        contact.slip_before.setZero();
+        if (const FrictionHistory *history =
+              nearest_history(state.history,
+                              contact,
+                              mesh.parameter(contact.points[0])))
+          contact.slip_before =
+            history->slip - contact.normal * contact.normal.dot(history->slip);
+      }
+  }
+
+
+
+  void
+  ContactGenerator::absorb_overlap(
+    const std::vector<ContactElement> &vertical_contacts,
+    const DofVector                   &q,
+    ContactState                      &state) const
+  {
+    ContactRule standard;
+    for (const ContactElement &vertical : vertical_contacts)
+      {
+        ContactZone &zone = state.zones[vertical.zone];
+        if (!zone.crossing)
+          continue;
+        const ParameterPair u =
+          mutual_closest_point(mesh,
+                               q,
+                               vertical.fibers,
+                               {{mesh.parameter(vertical.points[0]),
+                                 mesh.parameter(vertical.points[1])}});
+        ContactElement contact = new_element(vertical.zone, u, state);
+        set_normal(contact, q, standard, state);
+        const double gap   = contact_gap(contact, section_pair(contact, q));
+        zone.offset        = std::max(0., -gap - std::max(0., -vertical.gap));
+      }
+  }
+
+
+
+  unsigned int
+  ContactGenerator::crossings_out_of_order(const DofVector &q) const
+  {
+    unsigned int wrong = 0;
+    for (const auto &pair : woven_pairs)
+      {
+        ParameterPair start;
+        for (unsigned int s = 0; s < 2; ++s)
+          start[s] = .5 * mesh.lines()[pair[s]].n_elements;
+        const ParameterPair u = plan_crossing(mesh, q, pair, start);
+        const double        height =
+          mesh.section(q, mesh.locate(pair[0], u[0])).center.z() -
+          mesh.section(q, mesh.locate(pair[1], u[1])).center.z();
+        wrong += height * superimposition(fibers, pair[0], pair[1]) <= 0;
+      }
+    return wrong;
+  }
+} // namespace fiberloom

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/contact/proximity_search.h>
+
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <tuple>
+
+namespace fiberloom
+{
+  namespace
+  {
+    using Kernel    = CGAL::Simple_cartesian<double>;
+    using Segments  = std::vector<Kernel::Segment_3>;
+    using Primitive = CGAL::AABB_segment_primitive<Kernel, Segments::iterator>;
+    using Tree      = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+    struct Owner
+    {
+      unsigned int fiber, piece;
+    };
+  } // namespace
+
+
+
+  ProximitySearch::ProximitySearch(const FiberMesh &mesh,
+                                   const double     margin,
+                                   const double     skin)
+    : mesh(mesh)
+    , margin(margin)
+    , skin(skin)
+  {}
+
+
+
+  const std::vector<CandidatePair> &
+  ProximitySearch::candidates(const DofVector &q)
+  {
+    bool valid = searched_at.size() == q.size();
+    for (unsigned int n = 0; valid && n < mesh.n_nodes(); ++n)
+      valid = (q.segment<3>(9 * n) - searched_at.segment<3>(9 * n))
+                .squaredNorm() < skin * skin / 4;
+    if (!valid)
+      search(q);
+    return found;
+  }
+
+
+
+  void
+  ProximitySearch::search(const DofVector &q)
+  {
+    ++searches;
+    searched_at = q;
+    found.clear();
+    if (mesh.n_elements() < 2)
+      return;
+
+    const auto point = [&](const unsigned int node) {
+      return Kernel::Point_3(q[9 * node], q[9 * node + 1], q[9 * node + 2]);
+    };
+
+    Segments           segments;
+    std::vector<Owner> owners;
+    double             largest_radius = 0;
+    for (unsigned int f = 0; f < mesh.lines().size(); ++f)
+      {
+        const auto &line = mesh.lines()[f];
+        largest_radius   = std::max(largest_radius, line.radius);
+        for (unsigned int k = 0; k + 1 < line.n_nodes(); ++k)
+          {
+            segments.emplace_back(point(line.first_node + k),
+                                  point(line.first_node + k + 1));
+            owners.push_back({f, k});
+          }
+      }
+
+    Tree tree(segments.begin(), segments.end());
+    std::vector<Tree::Primitive_id> hits;
+    for (unsigned int s = 0; s < segments.size(); ++s)
+      {
+        const auto &[fiber, piece] = owners[s];
+        const auto  &line          = mesh.lines()[fiber];
+        const double reach = line.radius + largest_radius + margin + skin;
+        const auto   box   = segments[s].bbox();
+        hits.clear();
+        tree.all_intersected_primitives(CGAL::Bbox_3(box.xmin() - reach,
+                                                     box.ymin() - reach,
+                                                     box.zmin() - reach,
+                                                     box.xmax() + reach,
+                                                     box.ymax() + reach,
+                                                     box.zmax() + reach),
+                                        std::back_inserter(hits));
+        for (const auto &hit : hits)
+          {
+            const Owner other = owners[hit - segments.begin()];
+            if (other.fiber < fiber)
+              continue;
+            if (other.fiber == fiber)
+              {
+                const double apart = (static_cast<double>(other.piece) -
+                                      static_cast<double>(piece) - 1) *
+                                     line.length / (line.n_nodes() - 1);
+                if (apart < 2 * M_PI * line.radius)
+                  continue;
+              }
+            found.push_back({{{fiber, other.fiber}}, {{piece, other.piece}}});
+          }
+      }
+
+    std::sort(found.begin(),
+              found.end(),
+              [](const CandidatePair &a, const CandidatePair &b) {
+                return std::tie(a.fibers, a.pieces) <
+                       std::tie(b.fibers, b.pieces);
+              });
+  }
+} // namespace fiberloom

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/parameter_catalogue.h>
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/fabric/fiber_set.h>
+#include <fiberloom/fabric/tow_packing.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace fiberloom
+{
+  namespace
+  {
+    // for rounding in what the user computed by hand
+    constexpr double tolerance = 1e-12;
+
+    /** A bound to tell the user: few digits, and never below @p value . */
+    std::string
+    rounded_up(const double value)
+    {
+      std::ostringstream text;
+      text << std::setprecision(6) << value * (1 + 1e-6);
+      return text.str();
+    }
+
+    /** One family of tows, ready to be laid out. */
+    struct Family
+    {
+      Tow::Family               name;
+      std::string               section; // of the parameters
+      const TowParameters      &tows;
+      const TowParameters      &crossing;
+      std::vector<SectionPoint> packing;                    // over the radius
+      double                    half_width, half_thickness; // [mm]
+      Vector3                   along, across;
+
+      double
+      half_length() const
+      {
+        return .5 * (crossing.tows - 1) * crossing.tow_spacing + tows.overhang;
+      }
+    };
+
+    double
+    half_extent(const std::vector<SectionPoint> &packing, const unsigned int d)
+    {
+      double largest = 0;
+      for (const SectionPoint &point : packing)
+        largest = std::max(largest, std::abs(point[d]));
+      return largest + 1;
+    }
+
+    std::vector<SectionPoint>
+    pack(const TowParameters &tows, const std::string &where)
+    {
+      try
+        {
+          return tow_packing(tows.layers.empty() ? default_layers(tows.fibers) :
+                                                   tows.layers,
+                             tows.fiber_spacing);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(where + ": " + error.what());
+        }
+    }
+
+    Family
+    make_family(const Tow::Family name, const Parameters &parameters)
+    {
+      const bool              is_warp = name == Tow::Family::warp;
+      const FabricParameters &fabric  = parameters.fabric;
+      const std::string    section = is_warp ? "Fabric/Warp/" : "Fabric/Fill/";
+      const TowParameters &tows    = is_warp ? fabric.warp : fabric.fill;
+      const std::vector<SectionPoint> packing =
+        pack(tows, parameters.where(section + "Fiber spacing"));
+      return {name,
+              section,
+              tows,
+              is_warp ? fabric.fill : fabric.warp,
+              packing,
+              tows.fiber_radius * half_extent(packing, 0),
+              tows.fiber_radius * half_extent(packing, 1),
+              is_warp ? Vector3::UnitX() : Vector3::UnitY(),
+              is_warp ? Vector3::UnitY() : Vector3::UnitX()};
+    }
+
+    /** Outer fibers of neighbours as far apart as fibers within a tow. */
+    void
+    check_spacing(const Family &family, const Parameters &parameters)
+    {
+      const TowParameters &tows = family.tows;
+      const double         least =
+        2 * family.half_width + (tows.fiber_spacing - 2) * tows.fiber_radius;
+      if (tows.tows > 1 && tows.tow_spacing < least * (1 - tolerance))
+        throw InputError(parameters.where(family.section + "Tow spacing") +
+                         " = " + exact_text(tows.tow_spacing) +
+                         ": neighboring tows overlap; allowed: at least " +
+                         rounded_up(least));
+    }
+
+    void
+    check_overhang(const Family     &family,
+                   const Family     &crossing,
+                   const Parameters &parameters)
+    {
+      if (family.tows.overhang < crossing.half_width * (1 - tolerance))
+        throw InputError(parameters.where(family.section + "Overhang") + " = " +
+                         exact_text(family.tows.overhang) +
+                         ": the tow ends inside the last crossing tow; "
+                         "allowed: at least " +
+                         rounded_up(crossing.half_width));
+    }
+
+    Fiber
+    straight_fiber(const Family      &family,
+                   const unsigned int tow,
+                   const Vector3     &middle)
+    {
+      const unsigned int n_nodes = 2 * family.tows.elements_per_fiber + 1;
+      const double       half    = family.half_length();
+      const Vector3      up      = Vector3::UnitZ();
+
+      Fiber fiber;
+      fiber.tow           = tow;
+      fiber.radius        = family.tows.fiber_radius;
+      fiber.young_modulus = family.tows.young_modulus;
+      fiber.poisson_ratio = family.tows.poisson_ratio;
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        fiber.centers.push_back(middle + half * (2. * n / (n_nodes - 1) - 1) *
+                                           family.along);
+      fiber.directions_1.assign(n_nodes, up.cross(family.along));
+      fiber.directions_2.assign(n_nodes, up);
+      return fiber;
+    }
+
+    void
+    add_tows(const Family &family, FiberSet &set)
+    {
+      const TowParameters &tows = family.tows;
+      for (unsigned int number = 0; number < tows.tows; ++number)
+        {
+          Tow tow;
+          tow.family     = family.name;
+          tow.number     = number;
+          tow.center     = (number - .5 * (tows.tows - 1)) * tows.tow_spacing;
+          tow.half_width = family.half_width;
+          tow.half_thickness = family.half_thickness;
+          for (const SectionPoint &point : family.packing)
+            {
+              const Vector3 middle =
+                (tow.center + point[0] * tows.fiber_radius) * family.across +
+                point[1] * tows.fiber_radius * Vector3::UnitZ();
+              tow.fibers.push_back(set.fibers.size());
+              set.fibers.push_back(
+                straight_fiber(family, set.tows.size(), middle));
+            }
+          set.tows.push_back(tow);
+        }
+    }
+
+    WeavePattern
+    make_pattern(const Parameters &parameters)
+    {
+      const FabricParameters &fabric = parameters.fabric;
+      try
+        {
+          return WeavePattern(fabric.pattern,
+                              fabric.warp.tows,
+                              fabric.fill.tows);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(parameters.where("Fabric/Pattern") + ": " +
+                           error.what());
+        }
+    }
+  } // namespace
+
+  FiberSet
+  build_fabric(const Parameters &parameters)
+  {
+    FiberSet set;
+    set.pattern = make_pattern(parameters);
+
+    const Family warp = make_family(Tow::Family::warp, parameters);
+    const Family fill = make_family(Tow::Family::fill, parameters);
+    check_spacing(warp, parameters);
+    check_spacing(fill, parameters);
+    check_overhang(warp, fill, parameters);
+    check_overhang(fill, warp, parameters);
+
+    add_tows(warp, set);
+    add_tows(fill, set);
+    return set;
+  }
+
+  FiberSet
+  build_fiber_set(const Parameters &parameters)
+  {
+    return parameters.is_fabric() ? build_fabric(parameters) :
+                                    build_fibers(parameters);
+  }
+} // namespace fiberloom

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/model/block_layout.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace fiberloom
+{
+  namespace
+  {
+    std::vector<unsigned int>
+    nodes_along_curve(const FiberMesh &mesh)
+    {
+      std::vector<dealii::Point<3>> points;
+      points.reserve(mesh.n_nodes());
+      for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+        points.emplace_back(mesh.reference()[9 * n],
+                            mesh.reference()[9 * n + 1],
+                            mesh.reference()[9 * n + 2]);
+      const auto keys =
+        dealii::Utilities::inverse_Hilbert_space_filling_curve(points, 20);
+
+      std::vector<unsigned int> order(points.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::stable_sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+        return keys[a] < keys[b];
+      });
+      return order;
+    }
+  } // namespace
+
+
+
+  BlockLayout::BlockLayout(const FiberMesh   &mesh,
+                           const unsigned int n_bodies,
+                           const MPI_Comm     communicator)
+    : comm(communicator)
+    , n_nodes(mesh.n_nodes())
+    , first_dofs(1, 0)
+    , owners(n_nodes + n_bodies)
+    , local_blocks(n_nodes + n_bodies, -1)
+  {
+    const unsigned int n_ranks =
+      dealii::Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int rank =
+      dealii::Utilities::MPI::this_mpi_process(communicator);
+
+    if (n_ranks > 1)
+      {
+        const auto order = nodes_along_curve(mesh);
+        for (std::size_t i = 0; i < order.size(); ++i)
+          owners[order[i]] = i * n_ranks / order.size();
+      }
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      owners[n_nodes + b] = b % n_ranks;
+
+    for (unsigned int block = 0; block < owners.size(); ++block)
+      first_dofs.push_back(first_dofs.back() + (block < n_nodes ? 9 : 6));
+
+    owned_dof_set.set_size(n_dofs());
+    unsigned int local_dof = 0;
+    for (unsigned int block = 0; block < owners.size(); ++block)
+      if (owners[block] == rank)
+        {
+          local_blocks[block] = owned.size();
+          owned.push_back(block);
+          local_first_dofs.push_back(local_dof);
+          local_dof += size(block);
+          owned_dof_set.add_range(first_dof(block), first_dofs[block + 1]);
+        }
+    owned_dof_set.compress();
+  }
+} // namespace fiberloom

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/model/block_matrix.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <Epetra_MultiVector.h>
+
+#include <algorithm>
+
+namespace fiberloom
+{
+  BlockMatrix::BlockMatrix(const BlockLayout &layout)
+    : numbering(layout)
+    , owned_map(
+        layout.owned_dofs().make_trilinos_map(layout.communicator(), false))
+  {}
+
+
+
+  void
+  BlockMatrix::reinit(std::vector<std::vector<unsigned int>> columns)
+  {
+    ++version;
+    column_blocks = std::move(columns);
+
+    std::vector<unsigned int> needed;
+    std::size_t               size = 0;
+    offsets.resize(column_blocks.size());
+    for (unsigned int row = 0; row < column_blocks.size(); ++row)
+      {
+        const unsigned int height =
+          numbering.size(numbering.owned_blocks()[row]);
+        offsets[row].clear();
+        for (const unsigned int column : column_blocks[row])
+          {
+            offsets[row].push_back(size);
+            size += height * numbering.size(column);
+          }
+        needed.insert(needed.end(),
+                      column_blocks[row].begin(),
+                      column_blocks[row].end());
+      }
+    data.assign(size, 0.);
+
+    std::sort(needed.begin(), needed.end());
+    needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+    std::vector<int>          dofs;
+    std::vector<unsigned int> position_of_block(numbering.n_blocks());
+    for (const unsigned int block : needed)
+      {
+        position_of_block[block] = dofs.size();
+        for (unsigned int i = 0; i < numbering.size(block); ++i)
+          dofs.push_back(numbering.first_dof(block) + i);
+      }
+    column_map = std::make_unique<Epetra_Map>(
+      -1, static_cast<int>(dofs.size()), dofs.data(), 0, owned_map.Comm());
+    importer = std::make_unique<Epetra_Import>(*column_map, owned_map);
+
+    column_positions.resize(column_blocks.size());
+    for (unsigned int row = 0; row < column_blocks.size(); ++row)
+      {
+        column_positions[row].clear();
+        for (const unsigned int column : column_blocks[row])
+          column_positions[row].push_back(position_of_block[column]);
+      }
+  }
+
+
+
+  void
+  BlockMatrix::set_zero()
+  {
+    std::fill(data.begin(), data.end(), 0.);
+  }
+
+
+
+  double *
+  BlockMatrix::block(const unsigned int row, const unsigned int column)
+  {
+    const unsigned int local_row = numbering.local_block(row);
+    const auto        &columns   = column_blocks[local_row];
+    const auto         found =
+      std::lower_bound(columns.begin(), columns.end(), column);
+    Assert(found != columns.end() && *found == column,
+           dealii::ExcMessage("block outside the pattern"));
+    return data.data() + offsets[local_row][found - columns.begin()];
+  }
+
+
+
+  int
+  BlockMatrix::Apply(const Epetra_MultiVector &x, Epetra_MultiVector &y) const
+  {
+    Epetra_MultiVector imported(*column_map, x.NumVectors(), false);
+    const int          error = imported.Import(x, *importer, Insert);
+    if (error != 0)
+      return error;
+
+    for (int v = 0; v < x.NumVectors(); ++v)
+      for (unsigned int row = 0; row < column_blocks.size(); ++row)
+        {
+          const unsigned int height =
+            numbering.size(numbering.owned_blocks()[row]);
+          Eigen::Map<Eigen::VectorXd> result(
+            y[v] + numbering.local_first_dof(row), height);
+          result.setZero();
+          for (unsigned int c = 0; c < column_blocks[row].size(); ++c)
+            {
+              const unsigned int width = numbering.size(column_blocks[row][c]);
+              const double      *in    = imported[v] + column_positions[row][c];
+              const double      *entries = values(row, c);
+              if (height == 9 && width == 9)
+                result.noalias() +=
+                  Eigen::Map<
+                    const Eigen::Matrix<double, 9, 9, Eigen::RowMajor>>(
+                    entries) *
+                  Eigen::Map<const Eigen::Matrix<double, 9, 1>>(in);
+              else
+                result.noalias() +=
+                  Eigen::Map<const Eigen::Matrix<double,
+                                                 Eigen::Dynamic,
+                                                 Eigen::Dynamic,
+                                                 Eigen::RowMajor>>(entries,
+                                                                   height,
+                                                                   width) *
+                  Eigen::Map<const Eigen::VectorXd>(in, width);
+            }
+        }
+    return 0;
+  }
+} // namespace fiberloom

@@ -1,0 +1,585 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/contact/contact_law.h>
+
+#include <fiberloom/model/held_nodes.h>
+#include <fiberloom/model/system.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <Epetra_LocalMap.h>
+#include <Epetra_Vector.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiberloom
+{
+  using dealii::Utilities::MPI::max;
+  using dealii::Utilities::MPI::sum;
+
+  namespace
+  {
+    /** A beam element's contribution: blocks cut from its own matrices. */
+    struct ElementGroup
+    {
+      static constexpr unsigned int n_nodes = 3;
+
+      std::array<unsigned int, n_nodes> nodes;
+      BeamElement::Vector               residual;
+      BeamElement::Matrix               tangent;
+
+      auto
+      force(const unsigned int a) const
+      {
+        return residual.segment<9>(9 * a);
+      }
+
+      auto
+      stiffness(const unsigned int a, const unsigned int b) const
+      {
+        return tangent.block<9, 9>(9 * a, 9 * b);
+      }
+    };
+
+    /** A contact's: the pair of sections spread over the nodes by weights. */
+    struct ContactGroup
+    {
+      static constexpr unsigned int n_nodes = 6;
+
+      std::array<unsigned int, n_nodes> nodes;
+      std::array<double, n_nodes>       weights;
+      SectionPair                       residual;
+      SectionPair2                      tangent;
+
+      explicit ContactGroup(const ContactElement &contact)
+      {
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          {
+            nodes[a]   = contact.first_nodes[a / 3] + a % 3;
+            weights[a] = contact.weights[a / 3][a % 3];
+          }
+      }
+
+      auto
+      force(const unsigned int a) const
+      {
+        return weights[a] * residual.segment<9>(9 * (a / 3));
+      }
+
+      auto
+      stiffness(const unsigned int a, const unsigned int b) const
+      {
+        return (weights[a] * weights[b]) *
+               tangent.block<9, 9>(9 * (a / 3), 9 * (b / 3));
+      }
+    };
+
+    double
+    rotation_lever(const FiberMesh &mesh)
+    {
+      // Turns a body's unbalanced moment into a force for the norm.
+      return mesh.lines().front().radius;
+    }
+  } // namespace
+
+
+
+  System::System(const FiberMesh &mesh, const Supports &supports, MPI_Comm comm)
+    : mesh(mesh)
+    , supports(supports)
+    , numbering(mesh, supports.bodies.size(), comm)
+    , system_matrix(numbering)
+    , attachment_of_node(mesh.n_nodes(), -1)
+    , fixed(numbering.n_dofs(), false)
+    , has_fixed(numbering.n_blocks(), false)
+    , stiffness(mesh.lines().front().young_modulus *
+                mesh.lines().front().radius)
+    , element_pattern(numbering.owned_blocks().size())
+    , residual(numbering.owned_dofs().n_elements())
+    , rhs(residual.size())
+    , body_reactions(supports.bodies.size(), BodyVector::Zero())
+    , pending(numbering.n_dofs(), 0.)
+  {
+    for (unsigned int i = 0; i < supports.attachments.size(); ++i)
+      {
+        const Attachment &attachment        = supports.attachments[i];
+        attachment_of_node[attachment.node] = i;
+        for (unsigned int k = 0; k < 9; ++k)
+          if (attachment.held[k])
+            fixed[numbering.first_dof(attachment.node) + k] = true;
+        has_fixed[attachment.node] = attachment.held.any();
+      }
+    for (unsigned int b = 0; b < supports.bodies.size(); ++b)
+      {
+        const unsigned int block = numbering.body_block(b);
+        for (unsigned int k = 0; k < 6; ++k)
+          if (supports.bodies[b].prescribed[k])
+            fixed[numbering.first_dof(block) + k] = true;
+        has_fixed[block] = supports.bodies[b].prescribed.any();
+      }
+
+    owned_map = std::make_unique<Epetra_Map>(
+      numbering.owned_dofs().make_trilinos_map(comm, false));
+    everything = std::make_unique<Epetra_LocalMap>(
+      static_cast<int>(numbering.n_dofs()), 0, owned_map->Comm());
+    importer = std::make_unique<Epetra_Import>(*everything, *owned_map);
+  }
+
+
+
+  namespace
+  {
+    /** The blocks a group of nodes couples: the nodes and the bodies that hold them. */
+    void
+    append_bodies(const std::vector<int>    &attachment_of_node,
+                  const Supports            &supports,
+                  const BlockLayout         &layout,
+                  std::vector<unsigned int> &blocks)
+    {
+      const unsigned int n = blocks.size();
+      for (unsigned int a = 0; a < n; ++a)
+        if (const int i = attachment_of_node[blocks[a]]; i >= 0)
+          blocks.push_back(layout.body_block(supports.attachments[i].body));
+    }
+
+    void
+    couple(const BlockLayout                      &layout,
+           const std::vector<unsigned int>        &blocks,
+           std::vector<std::vector<unsigned int>> &pattern)
+    {
+      for (const unsigned int row : blocks)
+        if (const int local = layout.local_block(row); local >= 0)
+          pattern[local].insert(pattern[local].end(),
+                                blocks.begin(),
+                                blocks.end());
+    }
+
+    void
+    sort_unique(std::vector<std::vector<unsigned int>> &pattern)
+    {
+      for (auto &row : pattern)
+        {
+          std::sort(row.begin(), row.end());
+          row.erase(std::unique(row.begin(), row.end()), row.end());
+        }
+    }
+  } // namespace
+
+
+
+  void
+  System::reinit(const std::vector<ContactElement> &contacts)
+  {
+    std::vector<unsigned int> blocks;
+    if (system_matrix.pattern_version() == 0)
+      {
+        for (unsigned int e = 0; e < mesh.n_elements(); ++e)
+          {
+            const unsigned int n = mesh.first_node(e);
+            blocks               = {n, n + 1, n + 2};
+            append_bodies(attachment_of_node, supports, numbering, blocks);
+            couple(numbering, blocks, element_pattern);
+          }
+        for (unsigned int b = 0; b < supports.bodies.size(); ++b)
+          couple(numbering, {numbering.body_block(b)}, element_pattern);
+        sort_unique(element_pattern);
+      }
+
+    auto pattern = element_pattern;
+    for (const ContactElement &contact : contacts)
+      {
+        const unsigned int i = contact.first_nodes[0],
+                           j = contact.first_nodes[1];
+        blocks               = {i, i + 1, i + 2, j, j + 1, j + 2};
+        append_bodies(attachment_of_node, supports, numbering, blocks);
+        couple(numbering, blocks, pattern);
+      }
+    sort_unique(pattern);
+    system_matrix.reinit(std::move(pattern));
+  }
+
+
+
+  bool
+  System::touches_owned(const unsigned int *nodes, const unsigned int n) const
+  {
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        if (numbering.local_block(nodes[a]) >= 0)
+          return true;
+        const int i = attachment_of_node[nodes[a]];
+        if (i >= 0 && numbering.local_block(numbering.body_block(
+                        supports.attachments[i].body)) >= 0)
+          return true;
+      }
+    return false;
+  }
+
+
+
+  template <bool with_tangent, class Group>
+  void
+  System::scatter(const State &state, const Group &group)
+  {
+    using RowMajor9 = Eigen::Matrix<double, 9, 9, Eigen::RowMajor>;
+
+    const bool held = std::any_of(group.nodes.begin(),
+                                  group.nodes.end(),
+                                  [this](const unsigned int node) {
+                                    return attachment_of_node[node] >= 0;
+                                  });
+    if (held)
+      {
+        HeldGroup transformed(group.nodes.data(),
+                              group.n_nodes,
+                              attachment_of_node,
+                              supports,
+                              numbering);
+        for (unsigned int a = 0; a < group.n_nodes; ++a)
+          transformed.set_force(a, group.force(a));
+        if constexpr (with_tangent)
+          for (unsigned int a = 0; a < group.n_nodes; ++a)
+            for (unsigned int b = 0; b < group.n_nodes; ++b)
+              transformed.set_stiffness(a, b, group.stiffness(a, b));
+        transformed.transform(state.q, state.placements, with_tangent);
+
+        for (unsigned int a = 0; a < transformed.n_blocks(); ++a)
+          {
+            const unsigned int row   = transformed.block(a);
+            const int          local = numbering.local_block(row);
+            if (local < 0)
+              continue;
+            Eigen::Map<Eigen::VectorXd>(residual.data() +
+                                          numbering.local_first_dof(local),
+                                        numbering.size(row)) +=
+              transformed.force(a);
+            if constexpr (with_tangent)
+              for (unsigned int b = 0; b < transformed.n_blocks(); ++b)
+                Eigen::Map<Eigen::Matrix<double,
+                                         Eigen::Dynamic,
+                                         Eigen::Dynamic,
+                                         Eigen::RowMajor>>(
+                  system_matrix.block(row, transformed.block(b)),
+                  numbering.size(row),
+                  numbering.size(transformed.block(b))) +=
+                  transformed.stiffness(a, b);
+          }
+        return;
+      }
+
+    for (unsigned int a = 0; a < group.n_nodes; ++a)
+      {
+        const int local = numbering.local_block(group.nodes[a]);
+        if (local < 0)
+          continue;
+        Eigen::Map<Eigen::Matrix<double, 9, 1>>(
+          residual.data() + numbering.local_first_dof(local)) += group.force(a);
+        if constexpr (with_tangent)
+          for (unsigned int b = 0; b < group.n_nodes; ++b)
+            Eigen::Map<RowMajor9>(
+              system_matrix.block(group.nodes[a], group.nodes[b])) +=
+              group.stiffness(a, b);
+      }
+  }
+
+
+
+  template <bool with_tangent>
+  void
+  System::assemble_all(const State                   &state,
+                       const std::vector<BodyTarget> &targets,
+                       std::vector<ContactElement>   &contacts)
+  {
+    std::fill(residual.begin(), residual.end(), 0.);
+    if constexpr (with_tangent)
+      system_matrix.set_zero();
+
+    double       scale = 0;
+    ElementGroup group;
+    for (unsigned int e = 0; e < mesh.n_elements(); ++e)
+      {
+        const unsigned int first = mesh.first_node(e);
+        group.nodes              = {{first, first + 1, first + 2}};
+        if (!touches_owned(group.nodes.data(), 3))
+          continue;
+        const auto q = mesh.element_dofs(state.q, e);
+        if constexpr (with_tangent)
+          mesh.element(e).residual_and_tangent(q, group.residual, group.tangent);
+        else
+          mesh.element(e).residual(q, group.residual);
+        scale = std::max(scale, group.residual.lpNorm<Eigen::Infinity>());
+        scatter<with_tangent>(state, group);
+      }
+    force_scale = max(scale, numbering.communicator());
+
+    for (ContactElement &contact : contacts)
+      {
+        ContactGroup      contact_group(contact);
+        const SectionPair x = section_pair(contact, state.q);
+        const bool        mine =
+          touches_owned(contact_group.nodes.data(), contact_group.n_nodes);
+        const bool active =
+          evaluate_contact(contact,
+                           x,
+                           contact_group.residual,
+                           with_tangent && mine ? &contact_group.tangent :
+                                                  nullptr);
+        if (active && mine)
+          scatter<with_tangent>(state, contact_group);
+      }
+
+    for (unsigned int b = 0; b < body_reactions.size(); ++b)
+      {
+        body_reactions[b].setZero();
+        if (const int local = numbering.local_block(numbering.body_block(b));
+            local >= 0)
+          body_reactions[b] = Eigen::Map<const BodyVector>(
+            residual.data() + numbering.local_first_dof(local));
+      }
+    if (!body_reactions.empty())
+      MPI_Allreduce(MPI_IN_PLACE,
+                    body_reactions.data(),
+                    6 * body_reactions.size(),
+                    MPI_DOUBLE,
+                    MPI_SUM,
+                    numbering.communicator());
+    add_loads(targets);
+  }
+
+
+
+  void
+  System::add_loads(const std::vector<BodyTarget> &targets)
+  {
+    for (unsigned int b = 0; b < targets.size(); ++b)
+      if (const int local = numbering.local_block(numbering.body_block(b));
+          local >= 0)
+        Eigen::Map<BodyVector>(residual.data() +
+                               numbering.local_first_dof(local)) -=
+          targets[b].load;
+  }
+
+
+
+  std::vector<double>
+  System::prescribed_increments(const State                   &state,
+                                const std::vector<BodyTarget> &targets) const
+  {
+    std::vector<double> increments(numbering.n_dofs(), 0.);
+    for (unsigned int b = 0; b < targets.size(); ++b)
+      {
+        const Placement &now    = state.placements[b];
+        const Placement &target = targets[b].placement;
+        const Eigen::AngleAxisd turn(target.rotation *
+                                     now.rotation.conjugate());
+        BodyVector              change;
+        change << target.position - now.position, turn.angle() * turn.axis();
+        const unsigned int first = numbering.first_dof(numbering.body_block(b));
+        for (unsigned int k = 0; k < 6; ++k)
+          if (fixed[first + k])
+            increments[first + k] = change[k];
+      }
+    return increments;
+  }
+
+
+
+  bool
+  System::moves(const State                   &state,
+                const std::vector<BodyTarget> &targets) const
+  {
+    const double tolerance = 1e-9 * mesh.lines().front().radius;
+    for (const double value : prescribed_increments(state, targets))
+      if (std::abs(value) > tolerance)
+        return true;
+    return false;
+  }
+
+
+
+  void
+  System::eliminate_fixed(const std::vector<double> &increments)
+  {
+    const auto &owned = numbering.owned_blocks();
+    for (unsigned int row = 0; row < owned.size(); ++row)
+      {
+        const unsigned int row_block = owned[row];
+        const unsigned int height    = numbering.size(row_block);
+        const unsigned int row_dof   = numbering.first_dof(row_block);
+        const auto        &columns   = system_matrix.columns(row);
+        for (unsigned int c = 0; c < columns.size(); ++c)
+          {
+            if (!has_fixed[row_block] && !has_fixed[columns[c]])
+              continue;
+            const unsigned int width      = numbering.size(columns[c]);
+            const unsigned int column_dof = numbering.first_dof(columns[c]);
+            double            *entries    = system_matrix.values(row, c);
+            for (unsigned int i = 0; i < height; ++i)
+              for (unsigned int j = 0; j < width; ++j)
+                {
+                  double &entry = entries[i * width + j];
+                  if (fixed[row_dof + i])
+                    entry = row_dof + i == column_dof + j ? stiffness : 0.;
+                  else if (fixed[column_dof + j])
+                    {
+                      rhs[numbering.local_first_dof(row) + i] -=
+                        entry * increments[column_dof + j];
+                      entry = 0;
+                    }
+                }
+          }
+        for (unsigned int i = 0; i < height; ++i)
+          if (fixed[row_dof + i])
+            rhs[numbering.local_first_dof(row) + i] =
+              stiffness * increments[row_dof + i];
+      }
+  }
+
+
+
+  void
+  System::assemble(const State                   &state,
+                   const std::vector<BodyTarget> &targets,
+                   std::vector<ContactElement>   &contacts)
+  {
+    assemble_all<true>(state, targets, contacts);
+    for (unsigned int i = 0; i < rhs.size(); ++i)
+      rhs[i] = -residual[i];
+    pending = prescribed_increments(state, targets);
+    eliminate_fixed(pending);
+  }
+
+
+
+  void
+  System::assemble_residual(const State                   &state,
+                            const std::vector<BodyTarget> &targets,
+                            std::vector<ContactElement>   &contacts)
+  {
+    assemble_all<false>(state, targets, contacts);
+  }
+
+
+
+  double
+  System::energy(const State                       &state,
+                 const std::vector<BodyTarget>     &targets,
+                 const std::vector<ContactElement> &contacts) const
+  {
+    double energy = 0;
+    for (unsigned int e = 0; e < mesh.n_elements(); ++e)
+      if (numbering.local_block(mesh.first_node(e)) >= 0)
+        energy += mesh.element(e).energy(mesh.element_dofs(state.q, e));
+    for (const ContactElement &contact : contacts)
+      if (numbering.local_block(contact.first_nodes[0]) >= 0)
+        energy += contact_energy(contact, section_pair(contact, state.q));
+    for (unsigned int b = 0; b < targets.size(); ++b)
+      if (numbering.local_block(numbering.body_block(b)) >= 0)
+        energy -=
+          targets[b].load.head<3>().dot(state.placements[b].position);
+    return sum(energy, numbering.communicator());
+  }
+
+
+
+  double
+  System::residual_norm() const
+  {
+    double norm = 0;
+    for (unsigned int row = 0; row < numbering.owned_blocks().size(); ++row)
+      {
+        const unsigned int block = numbering.owned_blocks()[row];
+        for (unsigned int i = 0; i < numbering.size(block); ++i)
+          if (!fixed[numbering.first_dof(block) + i])
+            {
+              const bool   moment = block >= mesh.n_nodes() && i >= 3;
+              const double value =
+                std::abs(residual[numbering.local_first_dof(row) + i]);
+              norm = std::max(norm,
+                              moment ? value / rotation_lever(mesh) : value);
+            }
+      }
+    return max(norm, numbering.communicator());
+  }
+
+
+
+  double
+  System::internal_force_scale() const
+  {
+    return force_scale;
+  }
+
+
+
+  Eigen::VectorXd
+  System::gather(const std::vector<double> &owned_solution) const
+  {
+    const Epetra_Vector owned(Copy,
+                              *owned_map,
+                              const_cast<double *>(owned_solution.data()));
+    Epetra_Vector       all(*everything);
+    const int           error = all.Import(owned, *importer, Insert);
+    AssertThrow(error == 0, dealii::ExcMessage("import of the increment"));
+    return Eigen::Map<const Eigen::VectorXd>(all.Values(), all.MyLength());
+  }
+
+
+
+  double
+  System::largest_move(const Eigen::VectorXd &increment) const
+  {
+    double move = 0;
+    for (const auto &line : mesh.lines())
+      for (unsigned int n = line.first_node;
+           n < line.first_node + line.n_nodes();
+           ++n)
+        for (unsigned int v = 0; v < 3; ++v)
+          move = std::max(move,
+                          increment.segment<3>(9 * n + 3 * v).norm() /
+                            line.radius);
+    return move;
+  }
+
+
+
+  void
+  System::advance(State                 &state,
+                  const Eigen::VectorXd &increment,
+                  const double           factor) const
+  {
+    std::vector<Placement> moved = state.placements;
+    for (unsigned int b = 0; b < moved.size(); ++b)
+      {
+        const BodyVector change =
+          factor *
+          increment.segment<6>(numbering.first_dof(numbering.body_block(b)));
+        moved[b].position += change.head<3>();
+        const double angle = change.tail<3>().norm();
+        if (angle > 0)
+          moved[b].rotation =
+            (Eigen::Quaterniond(
+               Eigen::AngleAxisd(angle, change.tail<3>() / angle)) *
+             moved[b].rotation)
+              .normalized();
+      }
+
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      {
+        const Eigen::Matrix<double, 9, 1> change =
+          factor * increment.segment<9>(9 * n);
+        auto node = state.q.segment<9>(9 * n);
+        if (const int i = attachment_of_node[n]; i >= 0)
+          node = move_held_node(supports.attachments[i],
+                                state.placements[supports.attachments[i].body],
+                                moved[supports.attachments[i].body],
+                                node,
+                                change);
+        else
+          node += change;
+      }
+    state.placements = std::move(moved);
+  }
+} // namespace fiberloom

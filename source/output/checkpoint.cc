@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/exceptions.h>
+
+#include <fiberloom/output/checkpoint.h>
+#include <fiberloom/output/files.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/crc.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <sstream>
+
+namespace boost
+{
+  namespace serialization
+  {
+    template <class Archive>
+    void
+    serialize(Archive &ar, fiberloom::StageStatistics &s, const unsigned int)
+    {
+      ar &s.name &s.converged &s.increments &s.rejected_increments;
+      ar &s.contact_updates &s.normal_updates &s.newton_iterations;
+      ar &s.linear_iterations &s.factorizations;
+      ar &s.largest_penetration_over_radius &s.crossings_out_of_order;
+      ar                                    &s.contact_elements;
+      ar &s.seconds.detection &s.seconds.assembly &s.seconds.linear_solver;
+      ar &s.seconds.output &s.seconds.wall;
+    }
+  } // namespace serialization
+} // namespace boost
+
+namespace fiberloom
+{
+  namespace
+  {
+    const std::string checkpoint_magic = "fiberloom checkpoint\n";
+
+    // to be raised with every change of what is serialised
+    constexpr std::uint64_t checkpoint_version = 1;
+
+    std::string
+    words(const std::initializer_list<std::uint64_t> &values)
+    {
+      std::string bytes;
+      for (const std::uint64_t value : values)
+        bytes.append(reinterpret_cast<const char *>(&value), sizeof(value));
+      return bytes;
+    }
+
+    std::uint64_t
+    checksum(const std::string &bytes)
+    {
+      boost::crc_32_type crc;
+      crc.process_bytes(bytes.data(), bytes.size());
+      return crc.checksum();
+    }
+
+    /** Takes a file apart from its beginning. */
+    class CheckpointReader
+    {
+    public:
+      CheckpointReader(const std::string &content, const std::string &file)
+        : content(content)
+        , file(file)
+      {}
+
+      std::string
+      take(const std::uint64_t n)
+      {
+        if (n > content.size() - position)
+          fail("is truncated");
+        position += n;
+        return content.substr(position - n, n);
+      }
+
+      std::uint64_t
+      word()
+      {
+        std::uint64_t value;
+        std::memcpy(&value, take(sizeof(value)).data(), sizeof(value));
+        return value;
+      }
+
+      bool
+      at_end() const
+      {
+        return position == content.size();
+      }
+
+      [[noreturn]] void
+      fail(const std::string &reason) const
+      {
+        throw InputError(file + ": this checkpoint " + reason);
+      }
+
+    private:
+      const std::string &content;
+      const std::string &file;
+      std::size_t        position = 0;
+    };
+  } // namespace
+
+
+
+  std::string
+  describe_model(const FiberMesh &mesh)
+  {
+    boost::crc_32_type crc;
+    const auto         add = [&crc](const double value, const double unit) {
+      // Rounded, since another compiler may differ in the last digits; the
+      // shift keeps round numbers away from where rounding changes.
+      const std::int64_t rounded = std::llround(value / unit + .23);
+      crc.process_bytes(&rounded, sizeof(rounded));
+    };
+    for (const auto &line : mesh.lines())
+      {
+        add(line.tow, 1);
+        add(line.n_elements, 1);
+        add(std::log(line.radius), 1e-6);
+        add(std::log(line.young_modulus), 1e-6);
+        for (unsigned int i = 9 * line.first_node;
+             i < 9 * (line.first_node + line.n_nodes());
+             ++i)
+          add(mesh.reference()[i], 1e-4 * line.radius);
+      }
+
+    std::ostringstream out;
+    out << mesh.lines().size() << " fibers, " << mesh.n_nodes()
+        << " nodes, geometry " << std::hex << crc.checksum();
+    return out.str();
+  }
+
+
+
+  std::string
+  encode_checkpoint(const Checkpoint &checkpoint, const std::string &model)
+  {
+    std::ostringstream payload;
+    {
+      boost::archive::binary_oarchive archive(payload);
+      archive << checkpoint.state << checkpoint.stages;
+    }
+    const std::string body = words({model.size()}) + model + payload.str();
+    return checkpoint_magic +
+           words({checkpoint_version, body.size(), checksum(body)}) + body;
+  }
+
+
+
+  Checkpoint
+  decode_checkpoint(const std::string &content,
+                    const std::string &model,
+                    const std::string &file)
+  {
+    if (content.compare(0, checkpoint_magic.size(), checkpoint_magic) != 0)
+      throw InputError(file + ": is not a checkpoint of fiberloom, or damaged");
+
+    CheckpointReader reader(content, file);
+    reader.take(checkpoint_magic.size());
+    const std::uint64_t version = reader.word();
+    if (version != checkpoint_version)
+      reader.fail("has format " + std::to_string(version) +
+                  ", this program reads format " +
+                  std::to_string(checkpoint_version));
+
+    const std::uint64_t size = reader.word();
+    const std::uint64_t sum  = reader.word();
+    const std::string   body = reader.take(size);
+    if (!reader.at_end() || checksum(body) != sum)
+      reader.fail("is damaged");
+
+    CheckpointReader  body_reader(body, file);
+    const std::string its_model = body_reader.take(body_reader.word());
+    if (its_model != model)
+      reader.fail("belongs to another model (" + its_model +
+                  "; the scene has " + model + ")");
+
+    Checkpoint checkpoint;
+    try
+      {
+        std::istringstream input(
+          body.substr(sizeof(std::uint64_t) + its_model.size()));
+        boost::archive::binary_iarchive archive(input);
+        archive >> checkpoint.state >> checkpoint.stages;
+      }
+    catch (const std::exception &)
+      {
+        reader.fail("was written with other libraries and cannot be read");
+      }
+    return checkpoint;
+  }
+
+
+
+  void
+  write_checkpoint(const std::string &file,
+                   const Checkpoint  &checkpoint,
+                   const std::string &model,
+                   const MPI_Comm     comm)
+  {
+    collectively(comm, [&]() {
+      if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+        write_file(file, encode_checkpoint(checkpoint, model), true);
+    });
+  }
+
+
+
+  Checkpoint
+  read_checkpoint(const std::string &file,
+                  const std::string &model,
+                  const MPI_Comm     comm)
+  {
+    std::string content, error;
+    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+      try
+        {
+          content = read_file(file);
+        }
+      catch (const InputError &e)
+        {
+          error = e.what();
+        }
+    error = dealii::Utilities::MPI::broadcast(comm, error, 0);
+    if (!error.empty())
+      throw InputError(error);
+    return decode_checkpoint(
+      dealii::Utilities::MPI::broadcast(comm, content, 0), model, file);
+  }
+} // namespace fiberloom

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/exceptions.h>
+
+#include <fiberloom/output/fields.h>
+#include <fiberloom/output/files.h>
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+namespace fiberloom
+{
+  namespace
+  {
+    constexpr double same_time = 1e-9;
+
+    const char *const xml_header = "<?xml version=\"1.0\"?>\n";
+
+    std::string
+    piece_content(vtkUnstructuredGrid *piece)
+    {
+      vtkNew<vtkXMLUnstructuredGridWriter> writer;
+      writer->SetInputData(piece);
+      writer->SetDataModeToAppended();
+      writer->EncodeAppendedDataOff();
+      writer->SetCompressorTypeToZLib();
+      writer->WriteToOutputStringOn();
+      if (writer->Write() == 0)
+        throw StageFailure("a field could not be encoded for ParaView");
+      return writer->GetOutputString();
+    }
+
+    const char *
+    xml_type(vtkDataArray *array)
+    {
+      switch (array->GetDataType())
+        {
+          case VTK_FLOAT:
+            return "Float32";
+          case VTK_DOUBLE:
+            return "Float64";
+          default:
+            return "Int32";
+        }
+    }
+
+    void
+    list_array(std::ostream &out, vtkDataArray *array)
+    {
+      out << "      <PDataArray type=\"" << xml_type(array) << "\" Name=\""
+          << (array->GetName() ? array->GetName() : "Points")
+          << "\" NumberOfComponents=\"" << array->GetNumberOfComponents()
+          << "\"/>\n";
+    }
+
+    void
+    list_arrays(std::ostream         &out,
+                const std::string    &tag,
+                vtkDataSetAttributes *data)
+    {
+      out << "    <" << tag << ">\n";
+      for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+        list_array(out, data->GetArray(i));
+      out << "    </" << tag << ">\n";
+    }
+
+    std::string
+    piece_list(vtkUnstructuredGrid            *piece,
+               const std::vector<std::string> &pieces)
+    {
+      std::ostringstream out;
+      out << xml_header
+          << "<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
+             "byte_order=\"LittleEndian\" header_type=\"UInt32\">\n"
+          << "  <PUnstructuredGrid GhostLevel=\"0\">\n";
+      list_arrays(out, "PPointData", piece->GetPointData());
+      list_arrays(out, "PCellData", piece->GetCellData());
+      out << "    <PPoints>\n";
+      list_array(out, piece->GetPoints()->GetData());
+      out << "    </PPoints>\n";
+      for (const auto &file : pieces)
+        out << "    <Piece Source=\"" << file << "\"/>\n";
+      out << "  </PUnstructuredGrid>\n</VTKFile>\n";
+      return out.str();
+    }
+
+    std::vector<std::pair<double, std::string>>
+    read_collection(const std::string &file)
+    {
+      std::vector<std::pair<double, std::string>> entries;
+      try
+        {
+          boost::property_tree::ptree tree;
+          boost::property_tree::read_xml(file, tree);
+          for (const auto &item : tree.get_child("VTKFile.Collection"))
+            if (item.first == "DataSet")
+              entries.emplace_back(
+                item.second.get<double>("<xmlattr>.timestep"),
+                item.second.get<std::string>("<xmlattr>.file"));
+        }
+      catch (const boost::property_tree::ptree_error &)
+        {
+          // Pictures of the past, absent or spoilt, must not stop a restart.
+        }
+      return entries;
+    }
+  } // namespace
+
+
+
+  FieldSeries::FieldSeries(const std::string &output_directory,
+                           const std::string &name,
+                           const MPI_Comm     comm)
+    : directory(output_directory)
+    , name(name)
+    , comm(comm)
+  {}
+
+
+
+  void
+  FieldSeries::continue_after(const double time)
+  {
+    using namespace dealii::Utilities::MPI;
+
+    if (this_mpi_process(comm) == 0)
+      entries = read_collection(directory + "/" + name + ".pvd");
+    entries = broadcast(comm, entries, 0);
+    entries.erase(std::remove_if(entries.begin(),
+                                 entries.end(),
+                                 [time](const auto &entry) {
+                                   return entry.first > time + same_time;
+                                 }),
+                  entries.end());
+  }
+
+
+
+  bool
+  FieldSeries::has(const double time) const
+  {
+    return std::any_of(entries.begin(),
+                       entries.end(),
+                       [time](const auto &entry) {
+                         return std::abs(entry.first - time) < same_time;
+                       });
+  }
+
+
+
+  void
+  FieldSeries::write(vtkUnstructuredGrid *piece,
+                     const double         time,
+                     const std::string   &label)
+  {
+    using namespace dealii::Utilities::MPI;
+
+    const std::string folder     = directory + "/fields/";
+    const std::string stem       = name + "_" + label;
+    const auto        piece_name = [&](const unsigned int rank) {
+      return stem + "_" + std::to_string(rank) + ".vtu";
+    };
+
+    collectively(comm, [&]() {
+      std::filesystem::create_directories(folder);
+      write_file(folder + piece_name(this_mpi_process(comm)),
+                 piece_content(piece));
+    });
+
+    entries.erase(std::remove_if(entries.begin(),
+                                 entries.end(),
+                                 [time](const auto &entry) {
+                                   return std::abs(entry.first - time) <
+                                          same_time;
+                                 }),
+                  entries.end());
+    entries.emplace_back(time, "fields/" + stem + ".pvtu");
+
+    collectively(comm, [&]() {
+      if (this_mpi_process(comm) != 0)
+        return;
+      std::vector<std::string> pieces;
+      for (unsigned int rank = 0; rank < n_mpi_processes(comm); ++rank)
+        pieces.push_back(piece_name(rank));
+      write_file(folder + stem + ".pvtu", piece_list(piece, pieces));
+      write_file(directory + "/" + name + ".pvd", collection());
+    });
+  }
+
+
+
+  std::string
+  FieldSeries::collection() const
+  {
+    std::ostringstream out;
+    out.precision(12);
+    out << xml_header
+        << "<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+    for (const auto &[time, file] : entries)
+      out << "    <DataSet timestep=\"" << time << "\" file=\"" << file
+          << "\"/>\n";
+    out << "  </Collection>\n</VTKFile>\n";
+    return out.str();
+  }
+
+
+
+  std::pair<std::size_t, std::size_t>
+  share_of_rank(const std::size_t n, const MPI_Comm comm)
+  {
+    const std::size_t rank  = dealii::Utilities::MPI::this_mpi_process(comm);
+    const std::size_t ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
+    return {n * rank / ranks, n * (rank + 1) / ranks};
+  }
+} // namespace fiberloom

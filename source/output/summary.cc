@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/output/summary.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <cmath>
+#include <cstdio>
+#include <iomanip>
+#include <sstream>
+#include <type_traits>
+
+namespace fiberloom
+{
+  namespace
+  {
+    /** Members of one JSON object, one after the other. */
+    class JsonObject
+    {
+    public:
+      explicit JsonObject(const unsigned int level)
+        : indent(2 * level, ' ')
+      {}
+
+      JsonObject &
+      member(const std::string &name, const std::string &value)
+      {
+        return raw(name, quoted(value));
+      }
+
+      JsonObject &
+      member(const std::string &name, const bool value)
+      {
+        return raw(name, value ? "true" : "false");
+      }
+
+      template <typename Number>
+      std::enable_if_t<std::is_arithmetic_v<Number>, JsonObject &>
+      member(const std::string &name, const Number value)
+      {
+        std::ostringstream text;
+        text << std::setprecision(15);
+        if (std::isfinite(static_cast<double>(value)))
+          text << value;
+        else
+          text << "null";
+        return raw(name, text.str());
+      }
+
+      JsonObject &
+      raw(const std::string &name, const std::string &value)
+      {
+        body += (body.empty() ? "\n" : ",\n") + indent + "  " + quoted(name) +
+                ": " + value;
+        return *this;
+      }
+
+      std::string
+      str() const
+      {
+        return "{" + body + "\n" + indent + "}";
+      }
+
+    private:
+      static std::string
+      quoted(const std::string &text)
+      {
+        std::string result = "\"";
+        for (const char c : text)
+          if (c == '"' || c == '\\')
+            result += std::string("\\") + c;
+          else if (static_cast<unsigned char>(c) < 0x20)
+            {
+              char code[7];
+              std::snprintf(code, sizeof(code), "\\u%04x", c);
+              result += code;
+            }
+          else
+            result += c;
+        return result + "\"";
+      }
+
+      std::string indent;
+      std::string body;
+    };
+
+    std::string
+    model_json(const ModelSize &model)
+    {
+      return JsonObject(1)
+        .member("fibers", model.fibers)
+        .member("nodes", model.nodes)
+        .member("fiber_elements", model.fiber_elements)
+        .member("fiber_dofs", model.fiber_dofs)
+        .member("matrix_dofs", model.matrix_dofs)
+        .member("contact_elements", model.contact_elements)
+        .member("junctions", model.junctions)
+        .str();
+    }
+
+    std::string
+    stage_json(const StageStatistics &stage)
+    {
+      const std::string seconds =
+        JsonObject(3)
+          .member("detection", stage.seconds.detection)
+          .member("assembly", stage.seconds.assembly)
+          .member("linear_solver", stage.seconds.linear_solver)
+          .member("output", stage.seconds.output)
+          .str();
+      return JsonObject(2)
+        .member("name", stage.name)
+        .member("converged", stage.converged)
+        .member("increments", stage.increments)
+        .member("rejected_increments", stage.rejected_increments)
+        .member("contact_updates", stage.contact_updates)
+        .member("normal_updates", stage.normal_updates)
+        .member("newton_iterations", stage.newton_iterations)
+        .member("linear_iterations", stage.linear_iterations)
+        .member("factorizations", stage.factorizations)
+        .member("wall_seconds", stage.seconds.wall)
+        .raw("seconds", seconds)
+        .member("largest_penetration_over_radius",
+                stage.largest_penetration_over_radius)
+        .member("crossings_out_of_order", stage.crossings_out_of_order)
+        .member("contact_elements", stage.contact_elements)
+        .str();
+    }
+
+    std::string
+    stages_json(const std::vector<StageStatistics> &stages)
+    {
+      std::string list;
+      for (const StageStatistics &stage : stages)
+        list += (list.empty() ? "\n    " : ",\n    ") + stage_json(stage);
+      return "[" + list + (list.empty() ? "]" : "\n  ]");
+    }
+  } // namespace
+
+
+
+  std::string
+  summary_json(const Summary &summary)
+  {
+    return JsonObject(0)
+             .member("program", std::string("fiberloom"))
+             .member("version", summary.version)
+             .member("revision", summary.revision)
+             .member("ranks", summary.ranks)
+             .member("converged", summary.converged)
+             .raw("model", model_json(summary.model))
+             .raw("stages", stages_json(summary.stages))
+             .member("peak_memory_bytes", summary.peak_memory_bytes)
+             .str() +
+           "\n";
+  }
+
+
+
+  double
+  peak_memory_bytes(const MPI_Comm comm)
+  {
+    dealii::Utilities::System::MemoryStats memory;
+    dealii::Utilities::System::get_memory_stats(memory);
+    return dealii::Utilities::MPI::sum(1024. * memory.VmHWM, comm);
+  }
+} // namespace fiberloom

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/output/canvas.h>
+#include <fiberloom/output/fiber_samples.h>
+#include <fiberloom/output/section_skin.h>
+#include <fiberloom/output/weave_picture.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace fiberloom
+{
+  namespace
+  {
+    constexpr unsigned int picture_intervals = 4;
+    constexpr unsigned int picture_around    = 16;
+
+    /** Parallel projection; rows: right, down, away from the eye. */
+    Matrix3
+    oblique_axes()
+    {
+      const Vector3 away  = Vector3(-.38, .80, -.78).normalized();
+      const Vector3 right = away.cross(Vector3::UnitZ()).normalized();
+      Matrix3       axes;
+      axes.row(0) = right;
+      axes.row(1) = away.cross(right);
+      axes.row(2) = away;
+      return axes;
+    }
+
+    /** From millimetres to pixels. */
+    class PictureView
+    {
+    public:
+      PictureView(const FiberMesh   &mesh,
+                  const DofVector   &q,
+                  const unsigned int largest_side)
+        : axes(oblique_axes())
+      {
+        low.setConstant(1e300);
+        Vector3 high  = -low;
+        double  thick = 0;
+        for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+          {
+            const Vector3 p = axes * q.segment<3>(FiberMesh::dofs_per_node * n);
+            low             = low.cwiseMin(p);
+            high            = high.cwiseMax(p);
+          }
+        for (const auto &line : mesh.lines())
+          thick = std::max(thick, line.radius);
+        const double margin =
+          1.5 * thick + .02 * (high - low).head<2>().maxCoeff();
+        low.array() -= margin;
+        high.array() += margin;
+
+        scale  = largest_side / (high - low).head<2>().maxCoeff();
+        width  = std::max(1., scale * (high[0] - low[0]));
+        height = std::max(1., scale * (high[1] - low[1]));
+      }
+
+      Canvas::Corner
+      corner(const Vector3 &point, const Vector3 &normal) const
+      {
+        Vector3 turned = axes * normal;
+        turned[2]      = -turned[2];
+        return {scale * (axes * point - low), turned};
+      }
+
+      Matrix3      axes;
+      Vector3      low;
+      double       scale;
+      unsigned int width, height;
+    };
+
+    void
+    draw_skin(Canvas            &canvas,
+              const PictureView &view,
+              const SectionSkin &skin,
+              const Color       &color,
+              const int          object)
+    {
+      const auto corner = [&](const unsigned int i) {
+        return view.corner(skin.points[i], skin.normals[i]);
+      };
+      for (unsigned int i = 0; i + 1 < skin.n_rings; ++i)
+        for (unsigned int j = 0; j < skin.n_around; ++j)
+          {
+            const auto face = skin.face(i, j);
+            canvas.draw({{corner(face[0]), corner(face[1]), corner(face[2])}},
+                        color,
+                        object);
+            canvas.draw({{corner(face[0]), corner(face[2]), corner(face[3])}},
+                        color,
+                        object);
+          }
+    }
+
+    void
+    draw_end(Canvas            &canvas,
+             const PictureView &view,
+             const SectionSkin &skin,
+             const Section     &section,
+             const unsigned int ring,
+             const Color       &color,
+             const int          object)
+    {
+      const Vector3 normal =
+        ring == 0 ? Vector3(-section.tangent()) : section.tangent();
+      const auto corner = [&](const unsigned int j) {
+        return view.corner(
+          skin.points[ring * skin.n_around + j % skin.n_around], normal);
+      };
+      for (unsigned int j = 0; j < skin.n_around; ++j)
+        canvas.draw(
+          {{view.corner(section.center, normal), corner(j), corner(j + 1)}},
+          color,
+          object);
+    }
+  } // namespace
+
+
+
+  std::string
+  weave_picture(const FiberSet    &fibers,
+                const FiberMesh   &mesh,
+                const DofVector   &q,
+                const unsigned int largest_side)
+  {
+    const PictureView view(mesh, q, largest_side);
+    Canvas            canvas(view.width, view.height);
+    double            mean_radius = 0;
+
+    for (unsigned int f = 0; f < mesh.lines().size(); ++f)
+      {
+        const auto sections = sample_sections(mesh, q, f, picture_intervals);
+        const SectionSkin skin(sections, picture_around);
+        const Color       color = tow_color(fibers.tows[mesh.lines()[f].tow]);
+        draw_skin(canvas, view, skin, color, f);
+        draw_end(canvas, view, skin, sections.front(), 0, color, f);
+        draw_end(
+          canvas, view, skin, sections.back(), skin.n_rings - 1, color, f);
+        mean_radius += mesh.lines()[f].radius / mesh.lines().size();
+      }
+    return canvas.png(3 * mean_radius * view.scale);
+  }
+} // namespace fiberloom

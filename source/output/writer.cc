@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/version.h>
+
+#include <fiberloom/output/contact_field.h>
+#include <fiberloom/output/fiber_field.h>
+#include <fiberloom/output/files.h>
+#include <fiberloom/output/section_field.h>
+#include <fiberloom/output/slices.h>
+#include <fiberloom/output/trajectories.h>
+#include <fiberloom/output/weave_picture.h>
+#include <fiberloom/output/writer.h>
+
+#include <vtkObject.h>
+
+#include <chrono>
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+
+namespace fiberloom
+{
+  namespace
+  {
+    /** Adds its lifetime to a number of seconds. */
+    class SecondsGuard
+    {
+    public:
+      explicit SecondsGuard(double &seconds)
+        : seconds(seconds)
+      {}
+
+      ~SecondsGuard()
+      {
+        seconds += elapsed();
+      }
+
+      double
+      elapsed() const
+      {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                             start)
+          .count();
+      }
+
+    private:
+      double                               &seconds;
+      std::chrono::steady_clock::time_point start =
+        std::chrono::steady_clock::now();
+    };
+
+    double
+    field_time(const State &state)
+    {
+      return state.stage + state.load;
+    }
+
+    std::string
+    increment_label(const std::string &stage, const unsigned int increment)
+    {
+      std::ostringstream label;
+      label << stage << "_" << std::setw(4) << std::setfill('0') << increment;
+      return label.str();
+    }
+
+    bool
+    is_due(const unsigned int every, const IncrementReport &report)
+    {
+      return report.last || (every > 0 && report.state.increment % every == 0);
+    }
+  } // namespace
+
+
+
+  OutputWriter::OutputWriter(const Parameters &parameters,
+                             const FiberSet   &fibers,
+                             const FiberMesh  &mesh,
+                             const ModelSize  &model,
+                             const MPI_Comm    comm,
+                             double           &output_seconds)
+    : parameters(parameters)
+    , fibers(fibers)
+    , mesh(mesh)
+    , comm(comm)
+    , output_seconds(output_seconds)
+    , model_description(describe_model(mesh))
+    , fiber_series(parameters.output_directory, "fibers", comm)
+    , section_series(parameters.output_directory, "sections", comm)
+    , contact_series(parameters.output_directory, "contacts", comm)
+  {
+    summary.version  = program_version();
+    summary.revision = program_revision();
+    summary.model    = model;
+    summary.ranks    = dealii::Utilities::MPI::n_mpi_processes(comm);
+    // What goes wrong is thrown with one line; VTK would add its own.
+    vtkObject::GlobalWarningDisplayOff();
+    prepare_output_directory(parameters.output_directory, comm);
+  }
+
+
+
+  void
+  OutputWriter::continue_from(const Checkpoint &checkpoint)
+  {
+    const State &state = checkpoint.state;
+    statistics         = checkpoint.stages;
+    for (FieldSeries *series :
+         {&fiber_series, &section_series, &contact_series})
+      series->continue_after(field_time(state));
+    try
+      {
+        collectively(comm, [&]() {
+          if (is_first_rank() &&
+              std::filesystem::exists(path("loading_curve.csv")))
+            curve.continue_from(read_file(path("loading_curve.csv")),
+                                state.stage,
+                                state.increment);
+        });
+      }
+    catch (const StageFailure &error)
+      {
+        throw InputError(error.what());
+      }
+  }
+
+
+
+  void
+  OutputWriter::begin()
+  {
+    collectively(comm, [&]() {
+      if (!is_first_rank())
+        return;
+      std::ostringstream text;
+      parameters.print(text);
+      write_file(path("parameters.prm"), text.str());
+    });
+  }
+
+
+
+  void
+  OutputWriter::begin_stage(const std::string &stage, const State &state)
+  {
+    const SecondsGuard guard(output_seconds);
+    if (state.increment > 0)
+      return;
+    const std::string label = increment_label(stage, 0);
+    write_slices(state, stage, label);
+    if (!fiber_series.has(field_time(state)))
+      write_fields(state, {}, label);
+  }
+
+
+
+  void
+  OutputWriter::operator()(const IncrementReport &report)
+  {
+    const SecondsGuard guard(output_seconds);
+    const State       &state = report.state;
+
+    StageStatistics entry  = report.statistics;
+    entry.name             = report.stage;
+    entry.converged        = report.last;
+    entry.contact_elements = report.contacts.size();
+    record(state.stage, entry);
+    summary.model.contact_elements = report.contacts.size();
+
+    write_curve(report);
+    if (is_due(parameters.output.fields_every, report))
+      write_fields(state,
+                   report.contacts,
+                   increment_label(report.stage, state.increment));
+    if (report.last)
+      {
+        write_end_of_stage(report);
+        statistics[state.stage].seconds.output += guard.elapsed();
+        statistics[state.stage].seconds.wall += guard.elapsed();
+        write_summary(state.stage + 1 == parameters.stages.size());
+      }
+    if (is_due(parameters.output.checkpoint_every, report))
+      save(state);
+  }
+
+
+
+  void
+  OutputWriter::save(const State &state)
+  {
+    write_checkpoint(path("checkpoint"),
+                     {state, statistics},
+                     model_description,
+                     comm);
+  }
+
+
+
+  void
+  OutputWriter::write_summary(const bool converged)
+  {
+    summary.converged         = converged;
+    summary.stages            = statistics;
+    summary.peak_memory_bytes = peak_memory_bytes(comm);
+    collectively(comm, [&]() {
+      if (is_first_rank())
+        write_file(path("summary.json"), summary_json(summary));
+    });
+  }
+
+
+
+  std::string
+  OutputWriter::path(const std::string &file) const
+  {
+    return parameters.output_directory + "/" + file;
+  }
+
+
+
+  bool
+  OutputWriter::is_first_rank() const
+  {
+    return dealii::Utilities::MPI::this_mpi_process(comm) == 0;
+  }
+
+
+
+  void
+  OutputWriter::record(const unsigned int stage, const StageStatistics &entry)
+  {
+    if (statistics.size() <= stage)
+      statistics.resize(stage + 1);
+    statistics[stage] = entry;
+  }
+
+
+
+  void
+  OutputWriter::write_fields(const State                       &state,
+                             const std::vector<ContactElement> &contacts,
+                             const std::string                 &label)
+  {
+    const double time = field_time(state);
+    const auto [first_fiber, last_fiber] =
+      share_of_rank(mesh.lines().size(), comm);
+    const auto [first_contact, last_contact] =
+      share_of_rank(contacts.size(), comm);
+
+    fiber_series.write(fiber_field(mesh, state.q, first_fiber, last_fiber),
+                       time,
+                       label);
+    section_series.write(section_field(mesh,
+                                       state.q,
+                                       first_fiber,
+                                       last_fiber,
+                                       parameters.output.section_points),
+                         time,
+                         label);
+    contact_series.write(
+      contact_field(mesh, state.q, contacts, first_contact, last_contact),
+      time,
+      label);
+  }
+
+
+
+  void
+  OutputWriter::write_slices(const State       &state,
+                             const std::string &stage,
+                             const std::string &label)
+  {
+    collectively(comm, [&]() {
+      if (!is_first_rank())
+        return;
+      for (const SlicePlane &plane :
+           slice_planes(fibers, mesh, state.q, parameters.output.slices))
+        {
+          std::filesystem::create_directories(path("slices"));
+          const auto         outlines = cut_fibers(mesh, state.q, plane);
+          const std::string  file = path("slices/" + plane.name + "_" + label);
+          std::ostringstream title;
+          title << "stage " << stage << ", load " << std::setprecision(3)
+                << state.load << ", " << plane.title;
+          write_file(file + ".vtp", slice_polydata(fibers, plane, outlines));
+          if (parameters.output.pictures)
+            write_file(file + ".svg",
+                       slice_picture(fibers, outlines, title.str()));
+        }
+    });
+  }
+
+
+
+  void
+  OutputWriter::write_curve(const IncrementReport &report)
+  {
+    collectively(comm, [&]() {
+      if (!is_first_rank())
+        return;
+      curve.append(report.state.stage,
+                   report.stage,
+                   report.state.increment,
+                   report.state.load,
+                   report.curve);
+      write_file(path("loading_curve.csv"), curve.str());
+    });
+  }
+
+
+
+  void
+  OutputWriter::write_pictures(const IncrementReport &report)
+  {
+    collectively(comm, [&]() {
+      if (!is_first_rank())
+        return;
+      std::filesystem::create_directories(path("pictures"));
+      write_file(path("pictures/view_" + report.stage + ".png"),
+                 weave_picture(fibers, mesh, report.state.q));
+      const std::string drawing = curve_picture(curve, report.state.stage);
+      if (!drawing.empty())
+        write_file(path("pictures/loading_curve_" + report.stage + ".svg"),
+                   drawing);
+    });
+  }
+
+
+
+  void
+  OutputWriter::write_end_of_stage(const IncrementReport &report)
+  {
+    write_slices(report.state,
+                 report.stage,
+                 increment_label(report.stage, report.state.increment));
+    if (parameters.output.pictures)
+      write_pictures(report);
+    collectively(comm, [&]() {
+      if (is_first_rank())
+        write_file(path("trajectories.csv"),
+                   trajectories_csv(fibers, mesh, report.state.q));
+    });
+  }
+} // namespace fiberloom

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/scoped_timer.h>
+#include <fiberloom/base/stop_request.h>
+
+#include <fiberloom/simulation/simulation.h>
+#include <fiberloom/simulation/stage_run.h>
+
+#include <boost/format.hpp>
+
+#include <iostream>
+
+namespace fiberloom
+{
+  Simulation::Simulation(const Parameters  &parameters,
+                         const CommandLine &command_line,
+                         const MPI_Comm     comm)
+    : parameters(parameters)
+    , command_line(command_line)
+    , comm(comm)
+    , fibers(build_fiber_set(parameters))
+    , mesh(fibers)
+    , generator(fibers, mesh, parameters.contact)
+    , log(comm)
+  {}
+
+
+
+  ModelSize
+  Simulation::model_size() const
+  {
+    ModelSize size;
+    size.fibers         = mesh.lines().size();
+    size.nodes          = mesh.n_nodes();
+    size.fiber_elements = mesh.n_elements();
+    size.fiber_dofs     = mesh.reference().size();
+    return size;
+  }
+
+
+
+  void
+  Simulation::print_check()
+  {
+    const ModelSize size = model_size();
+    // Measured: factor and matrix of a woven fabric grow as dofs^1.13.
+    const double gigabytes = 1.9 * std::pow(size.fiber_dofs / 316008., 1.13) + .3;
+    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+      std::cout << "fibers          " << size.fibers << "\nnodes           "
+                << size.nodes << "\nfiber dofs      " << size.fiber_dofs
+                << "\nfiber elements  " << size.fiber_elements
+                << "\nmatrix dofs     0\nexpected memory "
+                << boost::format("%.1f GiB") % gigabytes << std::endl;
+  }
+
+
+
+  State
+  Simulation::initial_state()
+  {
+    State state;
+    state.q = mesh.reference();
+    if (command_line.restart.empty())
+      return state;
+
+    restart = read_checkpoint(command_line.restart, describe_model(mesh), comm);
+    const State &before = restart.state;
+    // The same list of stages, not yet at its end: an interrupted run.
+    continues = before.scene_stages == parameters.stages &&
+                before.stage < parameters.stages.size();
+    if (continues)
+      return before;
+
+    parameters.check_stage_order(before.stages_done);
+    state             = before;
+    state.stage       = 0;
+    state.increment   = 0;
+    state.load        = 0;
+    state.step        = 0;
+    return state;
+  }
+
+
+
+  int
+  Simulation::run()
+  {
+    if (command_line.check)
+      {
+        initial_state();
+        for (const std::string &name : parameters.stages)
+          create_stage(name, {parameters, fibers, mesh});
+        print_check();
+        return 0;
+      }
+
+    State state        = initial_state();
+    state.scene_stages = parameters.stages;
+    for (const std::string &name : parameters.stages)
+      create_stage(name, {parameters, fibers, mesh});
+
+    OutputWriter writer(
+      parameters, fibers, mesh, model_size(), comm, output_seconds);
+    log.open(parameters.output_directory, continues);
+    if (continues)
+      writer.continue_from(restart);
+    writer.begin();
+    log_what_is_left_out();
+    const int status = run_stages(state, writer);
+    log_timings(writer.stages());
+    return status;
+  }
+
+
+
+  int
+  Simulation::run_stages(State &state, OutputWriter &writer)
+  {
+    StopRequest stop(comm,
+                     parameters.output_directory,
+                     parameters.maximal_wall_time);
+    while (state.stage < parameters.stages.size())
+      {
+        const std::string &name = parameters.stages[state.stage];
+        const Scene        scene{parameters, fibers, mesh};
+        const auto         stage = create_stage(name, scene);
+        StageStatistics    statistics;
+        statistics.name = name;
+        if (continues && restart.stages.size() > state.stage &&
+            state.increment > 0)
+          statistics = restart.stages[state.stage];
+
+        const unsigned int number = state.stage;
+        try
+          {
+            writer.begin_stage(name, state);
+            StageRun run(scene,
+                         *stage,
+                         name,
+                         generator,
+                         statistics,
+                         log,
+                         comm,
+                         [&stop]() { return stop.requested(); });
+            run.run(state, std::ref(writer));
+          }
+        catch (const StopRequested &)
+          {
+            writer.record(number, statistics);
+            writer.save(state);
+            writer.write_summary(false);
+            log.write("stopped on request (" + stop.reason() +
+                      "): go on with --restart " + parameters.output_directory +
+                      "/checkpoint");
+            return 3;
+          }
+        catch (const StageFailure &failure)
+          {
+            log.write(failure.what());
+            writer.record(number, statistics);
+            writer.save(state);
+            writer.write_summary(false);
+            throw;
+          }
+
+        state.stages_done.push_back(name);
+        ++state.stage;
+        state.increment = 0;
+        state.load      = 0;
+        state.step      = 0;
+        writer.record(number, statistics);
+        writer.save(state);
+        writer.write_summary(state.stage == parameters.stages.size());
+        if (state.stage < parameters.stages.size() && stop.requested())
+          {
+            log.write("stopped on request (" + stop.reason() +
+                      "): go on with --restart " + parameters.output_directory +
+                      "/checkpoint");
+            return 3;
+          }
+      }
+    return 0;
+  }
+
+
+
+  void
+  Simulation::log_what_is_left_out()
+  {
+    std::string left_out;
+    if (parameters.contact.friction_coefficient == 0)
+      left_out += " friction and its history,";
+    if (mesh.lines().size() == 1)
+      left_out += " contact between fibers,";
+    left_out += " matrix layers";
+    log.write("left out, as the scene does not need it:" + left_out);
+  }
+
+
+
+  void
+  Simulation::log_timings(const std::vector<StageStatistics> &stages)
+  {
+    log.write((boost::format("%-10s %10s %10s %10s %10s %10s") % "stage" %
+               "detection" % "assembly" % "solver" % "output" % "all [s]")
+                .str());
+    for (const StageStatistics &stage : stages)
+      log.write((boost::format("%-10s %10.2f %10.2f %10.2f %10.2f %10.2f") %
+                 stage.name % stage.seconds.detection % stage.seconds.assembly %
+                 stage.seconds.linear_solver % stage.seconds.output %
+                 stage.seconds.wall)
+                  .str());
+  }
+} // namespace fiberloom

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/scoped_timer.h>
+
+#include <fiberloom/simulation/stage_run.h>
+
+#include <boost/format.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiberloom
+{
+  namespace
+  {
+    // An increment that took at most this many Newton iterations was cheap.
+    constexpr unsigned int cheap_iterations = 25;
+
+    std::vector<FrictionHistory>
+    friction_history(const std::vector<ContactElement> &contacts,
+                     const FiberMesh                   &mesh)
+    {
+      std::vector<FrictionHistory> history;
+      for (const ContactElement &contact : contacts)
+        if (contact.friction_limit > 0 && contact.normal_force > 0)
+          history.push_back({contact.fibers,
+                             {{mesh.parameter(contact.points[0]),
+                               mesh.parameter(contact.points[1])}},
+                             contact.slip});
+      return history;
+    }
+  } // namespace
+
+
+
+  StageRun::StageRun(const Scene          &scene,
+                     const Stage          &stage,
+                     const std::string    &name,
+                     ContactGenerator     &generator,
+                     StageStatistics      &statistics,
+                     Log                  &log,
+                     const MPI_Comm        comm,
+                     std::function<bool()> stop_requested)
+    : scene(scene)
+    , stage(stage)
+    , name(name)
+    , generator(generator)
+    , statistics(statistics)
+    , log(log)
+    , stop_requested(std::move(stop_requested))
+    , supports(stage.supports())
+    , system(scene.mesh, supports, comm)
+    , equilibrium(scene.mesh,
+                  scene.parameters,
+                  generator,
+                  system,
+                  statistics,
+                  [&log](const std::string &line) { log.write(line); })
+    , shown(statistics)
+  {}
+
+
+
+  void
+  StageRun::run(State &state, const IncrementObserver &observer)
+  {
+    ScopedTimer timer(statistics.seconds.wall);
+    load_at_start = state.load;
+    if (state.increment == 0 && state.step == 0)
+      {
+        stage.begin(state, equilibrium);
+        state.stage_start_placements = state.placements;
+        state.step                   = stage.first_step(state);
+        if (take_fast_path(state))
+          show(state, observer);
+      }
+    while (state.load < 1)
+      {
+        take_increment(state);
+        show(state, observer);
+        if (state.load < 1 && stop_requested())
+          throw StopRequested("");
+      }
+    statistics.converged = true;
+  }
+
+
+
+  bool
+  StageRun::take_fast_path(State &state)
+  {
+    State found = state;
+    if (!stage.take_fast_path(found, state, equilibrium))
+      return false;
+    accept(state, std::move(found), 1);
+    return true;
+  }
+
+
+
+  void
+  StageRun::take_increment(State &state)
+  {
+    const SolverParameters &solver = scene.parameters.solver;
+    for (unsigned int cuts = 0;; ++cuts)
+      {
+        // A rest that would be tiny is taken along.
+        double load = state.load + state.step;
+        if (load > 1 - .01 * state.step)
+          load = 1;
+
+        const unsigned int newton_before = statistics.newton_iterations;
+        State              found         = state;
+        const Equilibrium::Problem problem{
+          state,
+          stage.targets(state.stage_start_placements, load),
+          stage.rule(load)};
+        if (equilibrium.solve(found, problem))
+          {
+            if (statistics.newton_iterations - newton_before <=
+                cheap_iterations)
+              found.step =
+                std::min(solver.growth * found.step, stage.largest_step());
+            accept(state, std::move(found), load);
+            return;
+          }
+
+        ++statistics.rejected_increments;
+        if (cuts == solver.largest_cuts)
+          throw StageFailure(
+            "stage " + name + " stops at load " +
+            (boost::format("%.4f") % state.load).str() +
+            ": the increment failed after " + std::to_string(cuts) +
+            " cuts; a larger \"Largest penetration\" or more elements per "
+            "fiber may help");
+        state.step /= 2;
+        log.write((boost::format("  %-8s increment to load %.4f failed, cut "
+                                 "to %.2e") %
+                   name % load % state.step)
+                    .str());
+      }
+  }
+
+
+
+  void
+  StageRun::accept(State &state, State &&found, const double load)
+  {
+    state      = std::move(found);
+    state.load = load;
+    ++state.increment;
+    state.contact.history =
+      friction_history(equilibrium.contacts(), scene.mesh);
+
+    ++statistics.increments;
+    statistics.contact_elements = equilibrium.contacts().size();
+    statistics.largest_penetration_over_radius =
+      std::max(statistics.largest_penetration_over_radius,
+               equilibrium.largest_penetration());
+    statistics.crossings_out_of_order =
+      generator.crossings_out_of_order(state.q);
+  }
+
+
+
+  void
+  StageRun::show(const State &state, const IncrementObserver &observer)
+  {
+    log.write(increment_line(state));
+    shown = statistics;
+    observer({name,
+              state,
+              equilibrium.contacts(),
+              supports,
+              system.reactions(),
+              stage.curve(state, system.reactions()),
+              statistics,
+              state.load >= 1});
+  }
+
+
+
+  std::string
+  StageRun::increment_line(const State &state) const
+  {
+    const double done    = state.load - load_at_start;
+    const double seconds = statistics.seconds.detection +
+                           statistics.seconds.assembly +
+                           statistics.seconds.linear_solver;
+    return (boost::format("%-8s %3u  load %.4f  contact/normal/newton "
+                          "%2u/%2u/%3u  contacts %6u  penetration %.4f r  "
+                          "%7.1f s  remaining %7.1f s") %
+            name % state.increment % state.load %
+            (statistics.contact_updates - shown.contact_updates) %
+            (statistics.normal_updates - shown.normal_updates) %
+            (statistics.newton_iterations - shown.newton_iterations) %
+            equilibrium.contacts().size() % equilibrium.largest_penetration() %
+            seconds % (done > 0 ? seconds * (1 - state.load) / done : 0.))
+      .str();
+  }
+} // namespace fiberloom

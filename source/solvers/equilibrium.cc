@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/parameters.h>
+#include <fiberloom/base/scoped_timer.h>
+
+#include <fiberloom/contact/contact_law.h>
+
+#include <fiberloom/solvers/equilibrium.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace fiberloom
+{
+  namespace
+  {
+    // A zone is stiffened beyond this multiple of the largest penetration.
+    constexpr double penetration_tolerance = 1.3;
+    constexpr double largest_stiffening    = 4;
+
+    // Inner tolerance: a tenth of what the outer loop still has to remove.
+    constexpr double inner_reduction = .1, loosest_inner = .02,
+                     tightest_inner = 1e-5;
+
+    constexpr double       diverged        = 1e8;
+    constexpr double       shift_over_Er   = 1e-4;
+    constexpr unsigned int largest_halvings = 8;
+
+    double
+    smaller_radius(const ContactElement &contact)
+    {
+      return std::min(contact.radii[0], contact.radii[1]);
+    }
+  } // namespace
+
+
+
+  Equilibrium::Equilibrium(const FiberMesh                         &mesh,
+                           const Parameters                        &parameters,
+                           ContactGenerator                        &generator,
+                           System                                  &system,
+                           StageStatistics                         &statistics,
+                           std::function<void(const std::string &)> report)
+    : mesh(mesh)
+    , parameters(parameters)
+    , generator(generator)
+    , system(system)
+    , linear_solver(system.layout(), parameters.solver.factor_precision)
+    , statistics(statistics)
+    , report(std::move(report))
+  {}
+
+
+
+  void
+  Equilibrium::generate(State &state, const Problem &problem)
+  {
+    {
+      ScopedTimer timer(statistics.seconds.detection);
+      contact_elements = generator.generate(state.q,
+                                            problem.before.q,
+                                            problem.rule,
+                                            state.contact);
+      ++statistics.contact_updates;
+    }
+    ScopedTimer timer(statistics.seconds.assembly);
+    system.reinit(contact_elements);
+  }
+
+
+
+  void
+  Equilibrium::update_normals(const State &state, const Problem &problem)
+  {
+    ScopedTimer timer(statistics.seconds.detection);
+    generator.update(contact_elements,
+                     state.q,
+                     problem.before.q,
+                     problem.rule,
+                     state.contact);
+    ++statistics.normal_updates;
+  }
+
+
+
+  double
+  Equilibrium::residual_scale() const
+  {
+    const double floor =
+      1e-9 * system.stiffness_scale() * mesh.lines().front().radius;
+    double largest = 0;
+    for (const ContactElement &contact : contact_elements)
+      largest = std::max(largest, contact.normal_force);
+    if (largest == 0)
+      largest = system.internal_force_scale();
+    return std::max(largest, floor);
+  }
+
+
+
+  double
+  Equilibrium::tolerance() const
+  {
+    for (const ContactElement &contact : contact_elements)
+      if (contact.normal_force > 0)
+        return parameters.solver.contact_tolerance;
+    return parameters.solver.newton_tolerance;
+  }
+
+
+
+  double
+  Equilibrium::measure(const State &state, const Problem &problem)
+  {
+    ScopedTimer timer(statistics.seconds.assembly);
+    system.assemble_residual(state, problem.targets, contact_elements);
+    return system.residual_norm() / residual_scale();
+  }
+
+
+
+  double
+  Equilibrium::largest_penetration() const
+  {
+    double largest = 0;
+    for (const ContactElement &contact : contact_elements)
+      largest = std::max(largest, -contact.gap / smaller_radius(contact));
+    return largest;
+  }
+
+
+
+  bool
+  Equilibrium::adapt_stiffness(State &state) const
+  {
+    const double        target = parameters.contact.largest_penetration;
+    std::vector<double> penetration(state.contact.zones.size(), 0.);
+    for (const ContactElement &contact : contact_elements)
+      penetration[contact.zone] =
+        std::max(penetration[contact.zone],
+                 -contact.gap / smaller_radius(contact));
+
+    bool changed = false;
+    for (unsigned int z = 0; z < penetration.size(); ++z)
+      if (penetration[z] > penetration_tolerance * target)
+        {
+          state.contact.zones[z].stiffness *=
+            std::min(penetration[z] / target, largest_stiffening);
+          changed = true;
+        }
+    return changed;
+  }
+
+
+
+  double
+  Equilibrium::search_along(const State           &state,
+                            const Problem         &problem,
+                            const Eigen::VectorXd &increment,
+                            const double           factor) const
+  {
+    const double before =
+      system.energy(state, problem.targets, contact_elements);
+    double tried = factor;
+    for (unsigned int i = 0; i < largest_halvings; ++i, tried /= 2)
+      {
+        State moved;
+        moved.q          = state.q;
+        moved.placements = state.placements;
+        system.advance(moved, increment, tried);
+        if (system.energy(moved, problem.targets, contact_elements) <=
+            before + 1e-12 * std::abs(before))
+          return tried;
+      }
+    return tried;
+  }
+
+
+
+  static double env(const char *n, double d) { const char *v = std::getenv(n); return v ? std::atof(v) : d; }
+
+  Equilibrium::Step
+  Equilibrium::newton_step(State         &state,
+                           const Problem &problem,
+                           const double   tolerance,
+                           const bool     search_line)
+  {
+    {
+      ScopedTimer timer(statistics.seconds.assembly);
+      system.assemble(state, problem.targets, contact_elements);
+    }
+    const double residual = system.residual_norm() / residual_scale();
+    const bool   moves    = system.moves(state, problem.targets);
+    if (!moves && residual < tolerance)
+      return Step::converged;
+    if (!(residual < diverged))
+      return Step::failed;
+
+    std::vector<double> solution;
+    LinearSolver::Outcome outcome;
+    {
+      ScopedTimer timer(statistics.seconds.linear_solver);
+      outcome =
+        linear_solver.solve(system.matrix(),
+                            system.right_hand_side(),
+                            damping * system.stiffness_scale(),
+                            shift_over_Er * system.stiffness_scale(),
+                            solution);
+    }
+    ++statistics.newton_iterations;
+    statistics.linear_iterations += outcome.iterations;
+    statistics.factorizations += outcome.factorizations;
+
+    Eigen::VectorXd increment = system.gather(solution);
+    const double          move      = system.largest_move(increment);
+    if (env("FL_CLAMP", 0) > 0 && move > parameters.solver.largest_move)
+      for (const auto &line : mesh.lines())
+        for (unsigned int n = line.first_node; n < line.first_node + line.n_nodes(); ++n)
+          {
+            double m = 0;
+            for (unsigned int v = 0; v < 3; ++v)
+              m = std::max(m, increment.segment<3>(9 * n + 3 * v).norm() / line.radius);
+            if (m > parameters.solver.largest_move)
+              increment.segment<9>(9 * n) *= parameters.solver.largest_move / m;
+          }
+    if (!std::isfinite(move))
+      return Step::failed;
+    double       factor = 1;
+    const double limit  = parameters.solver.largest_move;
+    if (env("FL_CLAMP", 0) == 0 && limit > 0 && !contact_elements.empty() && move > limit)
+      factor = limit / move;
+    if (search_line && !moves)
+      {
+        ScopedTimer timer(statistics.seconds.assembly);
+        factor = search_along(state, problem, increment, factor);
+      }
+    if (std::getenv("FIBERLOOM_TRACE"))
+      {
+        char line[200];
+        std::snprintf(line, sizeof(line),
+                      "    newton: residual %9.2e scale %9.2e move %8.3f factor %6.3f krylov %u shift %g contacts %zu pen %.4f",
+                      residual, residual_scale(), move, factor,
+                      outcome.iterations, outcome.shift, contact_elements.size(), largest_penetration());
+        report(line);
+      }
+    last_factor = factor;
+    system.advance(state, increment, factor);
+    return Step::moved;
+  }
+
+
+
+  bool
+  Equilibrium::newton(State         &state,
+                      const Problem &problem,
+                      const double   tolerance)
+  {
+    for (unsigned int i = 0; i < parameters.solver.largest_newton_iterations;
+         ++i)
+      switch (newton_step(state,
+                          problem,
+                          tolerance,
+                          i >= parameters.solver.line_search_from))
+        {
+          case Step::converged:
+            return true;
+          case Step::failed:
+            return false;
+          case Step::moved:
+            break;
+        }
+    return false;
+  }
+
+
+
+  bool
+  Equilibrium::is_solved(State &state, const Problem &problem)
+  {
+    generate(state, problem);
+    return measure(state, problem) < tolerance() &&
+           !system.moves(state, problem.targets);
+  }
+
+
+
+  void
+  Equilibrium::absorb_overlap(State &state, const State &before)
+  {
+    ContactRule vertical;
+    vertical.vertical = true;
+    generate(state, {before, {}, vertical});
+    generator.absorb_overlap(contact_elements, state.q, state.contact);
+  }
+
+
+
+  bool
+  Equilibrium::solve(State &state, const Problem &problem)
+  {
+    damping = 0;
+    for (unsigned int pass = 0;
+         pass < parameters.solver.largest_contact_passes;
+         ++pass)
+      {
+        generate(state, problem);
+        bool settled = false;
+        for (unsigned int normals = 0;
+             normals < parameters.solver.largest_normal_passes && !settled;
+             ++normals)
+          {
+            if (normals > 0)
+              update_normals(state, problem);
+            const double residual = measure(state, problem);
+            settled               = residual < tolerance() &&
+                      !system.moves(state, problem.targets);
+            if (std::getenv("FIBERLOOM_TRACE"))
+              report("  pass " + std::to_string(pass) + "." + std::to_string(normals) + " residual " + std::to_string(residual));
+            if (settled && normals == 0 && !adapt_stiffness(state))
+              return true;
+            if (settled)
+              break;
+            double inner = tolerance();
+            if (!contact_elements.empty() &&
+                !system.moves(state, problem.targets))
+              inner = std::clamp(inner_reduction * residual,
+                                 std::min(tightest_inner, tolerance()),
+                                 loosest_inner);
+            if (!newton(state, problem, inner))
+              return false;
+          }
+        if (!settled)
+          return false;
+        if (contact_elements.empty())
+          return true;
+        adapt_stiffness(state);
+      }
+    return false;
+  }
+
+
+
+  void
+  Equilibrium::iterate(State             &state,
+                       const Problem     &problem,
+                       const unsigned int n)
+  {
+    damping = env("FL_DAMP", 0);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        generate(state, problem);
+        if (newton_step(state, problem, 1e-3, i + 1 >= 3) != Step::moved)
+          return;
+      }
+  }
+
+
+
+  bool
+  Equilibrium::solve_in_one_loop(State             &state,
+                                 const Problem     &problem,
+                                 const unsigned int largest_iterations)
+  {
+    for (unsigned int i = 0; i < largest_iterations; ++i)
+      {
+        if (i > 0)
+          damping *= last_factor > .7 ? env("FL_DOWN", .5) : last_factor < .3 ? env("FL_UP", 4) : 1;
+        generate(state, problem);
+        switch (newton_step(state, problem, tolerance(), i >= 2))
+          {
+            case Step::converged:
+              if (!adapt_stiffness(state))
+                return true;
+              break;
+            case Step::failed:
+              return false;
+            case Step::moved:
+              break;
+          }
+      }
+    return false;
+  }
+} // namespace fiberloom

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/exceptions.h>
+
+#include <fiberloom/solvers/linear_solver.h>
+
+#include <AztecOO.h>
+#include <Epetra_Vector.h>
+
+namespace fiberloom
+{
+  namespace
+  {
+    // Below this size the double factor costs next to nothing more.
+    constexpr unsigned int single_precision_from = 20000;
+
+    constexpr double       relative_tolerance = 1e-9;
+    constexpr int          krylov_space       = 60;
+    constexpr double       shift_growth       = 8;
+    constexpr unsigned int largest_shifts     = 12;
+
+    DirectFactor::Precision
+    choose_precision(const std::string &name, const unsigned int n_dofs)
+    {
+      const bool single =
+        name == "single" ||
+        (name == "automatic" && n_dofs >= single_precision_from);
+      return single ? DirectFactor::Precision::single_precision :
+                      DirectFactor::Precision::double_precision;
+    }
+
+    /** The factor as a preconditioner of Trilinos. */
+    class FactorOperator : public Epetra_Operator
+    {
+    public:
+      FactorOperator(DirectFactor &factor, const BlockMatrix &matrix)
+        : factor(factor)
+        , matrix(matrix)
+      {}
+
+      int
+      ApplyInverse(const Epetra_MultiVector &x,
+                   Epetra_MultiVector       &y) const override
+      {
+        y = x;
+        for (int v = 0; v < y.NumVectors(); ++v)
+          factor.solve(matrix.layout(), y[v]);
+        return 0;
+      }
+
+      int
+      Apply(const Epetra_MultiVector &, Epetra_MultiVector &) const override
+      {
+        return -1;
+      }
+
+      int
+      SetUseTranspose(bool) override
+      {
+        return 0;
+      }
+
+      double
+      NormInf() const override
+      {
+        return 0;
+      }
+
+      const char *
+      Label() const override
+      {
+        return "factor";
+      }
+
+      bool
+      UseTranspose() const override
+      {
+        return false;
+      }
+
+      bool
+      HasNormInf() const override
+      {
+        return false;
+      }
+
+      const Epetra_Comm &
+      Comm() const override
+      {
+        return matrix.Comm();
+      }
+
+      const Epetra_Map &
+      OperatorDomainMap() const override
+      {
+        return matrix.OperatorDomainMap();
+      }
+
+      const Epetra_Map &
+      OperatorRangeMap() const override
+      {
+        return matrix.OperatorRangeMap();
+      }
+
+    private:
+      DirectFactor      &factor;
+      const BlockMatrix &matrix;
+    };
+  } // namespace
+
+
+
+  LinearSolver::LinearSolver(const BlockLayout &layout,
+                             const std::string &precision)
+    : layout(layout)
+    , factor(layout.communicator(), choose_precision(precision, layout.n_dofs()))
+  {}
+
+
+
+  LinearSolver::Outcome
+  LinearSolver::solve(const BlockMatrix         &matrix,
+                      const std::vector<double> &right_hand_side,
+                      const double               damping,
+                      const double               shift_unit,
+                      std::vector<double>       &solution)
+  {
+    Outcome outcome;
+    outcome.shift = damping;
+    for (unsigned int attempt = 0;; ++attempt)
+      {
+        ++outcome.factorizations;
+        if (factor.factorize(matrix, outcome.shift) == 0)
+          break;
+        if (attempt == largest_shifts)
+          throw StageFailure("the tangent stays indefinite for every shift");
+        outcome.shift =
+          std::max(shift_unit, shift_growth * outcome.shift);
+      }
+
+    solution = right_hand_side;
+    if (outcome.shift > 0)
+      {
+        // The shifted matrix is what is solved: one step of descent.
+        factor.solve(layout, solution.data());
+        return outcome;
+      }
+
+    const Epetra_Map &map = matrix.OperatorRangeMap();
+    Epetra_Vector     b(Copy, map, const_cast<double *>(right_hand_side.data()));
+    Epetra_Vector     x(View, map, solution.data());
+    double            norm;
+    b.Norm2(&norm);
+    x.PutScalar(0);
+    if (norm == 0)
+      return outcome;
+
+    FactorOperator preconditioner(factor, matrix);
+    AztecOO        krylov;
+    krylov.SetUserOperator(const_cast<BlockMatrix *>(&matrix));
+    krylov.SetLHS(&x);
+    krylov.SetRHS(&b);
+    krylov.SetPrecOperator(&preconditioner);
+    krylov.SetAztecOption(AZ_solver, AZ_gmres);
+    krylov.SetAztecOption(AZ_kspace, krylov_space);
+    krylov.SetAztecOption(AZ_output, AZ_none);
+    krylov.SetAztecOption(AZ_conv, AZ_rhs);
+    krylov.Iterate(krylov_space, relative_tolerance);
+    outcome.iterations = krylov.NumIters();
+    return outcome;
+  }
+} // namespace fiberloom

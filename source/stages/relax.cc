@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/stages/relax.h>
+
+#include <algorithm>
+
+namespace fiberloom
+{
+  Supports
+  Relax::supports() const
+  {
+    return TowEnds::supports(scene, true);
+  }
+
+
+
+  void
+  Relax::begin(State &state, Equilibrium &equilibrium) const
+  {
+    TowEnds::place(scene, state);
+    const State          before = state;
+    Equilibrium::Problem problem{before, targets(state.placements, 1), rule(1)};
+    if (!equilibrium.is_solved(state, problem))
+      {
+        state = before;
+        equilibrium.absorb_overlap(state, before);
+      }
+    else
+      state = before;
+  }
+
+
+
+  std::vector<BodyTarget>
+  Relax::targets(const std::vector<Placement> &start, const double) const
+  {
+    std::vector<BodyTarget> targets(start.size());
+    for (unsigned int b = 0; b < start.size(); ++b)
+      targets[b].placement = start[b];
+    return targets;
+  }
+
+
+
+  ContactRule
+  Relax::rule(const double load) const
+  {
+    ContactRule rule;
+    rule.offset_factor = 1 - load;
+    rule.friction      = scene.parameters.contact.friction_coefficient > 0;
+    return rule;
+  }
+
+
+
+  double
+  Relax::first_step(const State &state) const
+  {
+    const bool any = std::any_of(state.contact.zones.begin(),
+                                 state.contact.zones.end(),
+                                 [](const ContactZone &zone) {
+                                   return zone.offset > 0;
+                                 });
+    return any ? 1. / scene.parameters.relax.steps : 1.;
+  }
+
+
+
+  CurveRow
+  Relax::curve(const State &state, const std::vector<BodyVector> &) const
+  {
+    const auto &lines = scene.mesh.lines();
+    double      low = 1e300, high = -1e300;
+    for (const auto &line : lines)
+      for (unsigned int n = line.first_node;
+           n < line.first_node + line.n_nodes();
+           ++n)
+        {
+          low  = std::min(low, state.q[9 * n + 2] - line.radius);
+          high = std::max(high, state.q[9 * n + 2] + line.radius);
+        }
+    return {{"thickness[mm]", high - low}};
+  }
+} // namespace fiberloom

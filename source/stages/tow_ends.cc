@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/coupling/hold.h>
+
+#include <fiberloom/stages/tow_ends.h>
+
+namespace fiberloom
+{
+  namespace TowEnds
+  {
+    namespace
+    {
+      unsigned int
+      end_node(const FiberMesh   &mesh,
+               const unsigned int fiber,
+               const unsigned int side)
+      {
+        const auto &line = mesh.lines()[fiber];
+        return line.first_node + (side == 0 ? 0 : line.n_nodes() - 1);
+      }
+
+      std::string
+      family_name(const Tow &tow)
+      {
+        return tow.family == Tow::Family::warp ? "warp" : "fill";
+      }
+    } // namespace
+
+
+
+    Vector3
+    axis(const Tow &tow)
+    {
+      return tow.family == Tow::Family::warp ? Vector3::UnitX() :
+                                               Vector3::UnitY();
+    }
+
+
+
+    Supports
+    supports(const Scene &scene, const bool axially_free)
+    {
+      const auto &tows = scene.fibers.tows;
+      Supports    supports;
+      for (const Tow &tow : tows)
+        for (unsigned int side = 0; side < 2; ++side)
+          {
+            RigidBody body;
+            body.name = family_name(tow) + " " +
+                        std::to_string(tow.number + 1) +
+                        (side == 0 ? " start" : " end");
+            if (axially_free)
+              body.prescribed[tow.family == Tow::Family::warp ? 0 : 1] = false;
+            for (const unsigned int fiber : tow.fibers)
+              supports.attachments.push_back(
+                attach(scene.mesh.reference(),
+                       end_node(scene.mesh, fiber, side),
+                       supports.bodies.size(),
+                       Hold::direction));
+            supports.bodies.push_back(body);
+          }
+
+      RigidBody ground;
+      ground.name = "ground";
+      if (axially_free)
+        for (const Tow &tow : tows)
+          for (const unsigned int fiber : tow.fibers)
+            {
+              const auto &line = scene.mesh.lines()[fiber];
+              supports.attachments.push_back(
+                attach(scene.mesh.reference(),
+                       line.first_node + line.n_elements,
+                       supports.bodies.size(),
+                       Hold::axial));
+            }
+      supports.bodies.push_back(ground);
+      return supports;
+    }
+
+
+
+    void
+    place(const Scene &scene, State &state)
+    {
+      const auto &tows = scene.fibers.tows;
+      if (state.placements.size() == 2 * tows.size() + 1)
+        return;
+      state.placements.assign(2 * tows.size() + 1, Placement());
+      for (unsigned int t = 0; t < tows.size(); ++t)
+        for (unsigned int side = 0; side < 2; ++side)
+          {
+            Vector3 mean = Vector3::Zero();
+            for (const unsigned int fiber : tows[t].fibers)
+              mean += state.q.segment<3>(9 * end_node(scene.mesh, fiber, side));
+            state.placements[body(t, side)].position =
+              mean / tows[t].fibers.size();
+          }
+    }
+
+
+
+    double
+    pull(const Scene                   &scene,
+         const Tow::Family              family,
+         const std::vector<BodyVector> &reactions)
+    {
+      double pull = 0;
+      for (unsigned int t = 0; t < scene.fibers.tows.size(); ++t)
+        if (scene.fibers.tows[t].family == family)
+          pull += .5 * axis(scene.fibers.tows[t])
+                         .dot(reactions[body(t, 1)].head<3>() -
+                              reactions[body(t, 0)].head<3>());
+      return pull;
+    }
+  } // namespace TowEnds
+} // namespace fiberloom

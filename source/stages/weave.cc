@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/stages/weave.h>
+
+#include <algorithm>
+
+namespace fiberloom
+{
+  Weave::Weave(const Scene &scene)
+    : Stage(scene)
+    , full_overlap(0)
+    , radius(scene.fibers.fibers.front().radius)
+  {
+    double thickness[2] = {0, 0};
+    for (const Tow &tow : scene.fibers.tows)
+      {
+        double &largest =
+          thickness[tow.family == Tow::Family::warp ? 0 : 1];
+        largest = std::max(largest, tow.half_thickness);
+      }
+    full_overlap = thickness[0] + thickness[1];
+  }
+
+
+
+  Supports
+  Weave::supports() const
+  {
+    return TowEnds::supports(scene, true);
+  }
+
+
+
+  void
+  Weave::begin(State &state, Equilibrium &) const
+  {
+    TowEnds::place(scene, state);
+  }
+
+
+
+  std::vector<BodyTarget>
+  Weave::targets(const std::vector<Placement> &start, const double) const
+  {
+    std::vector<BodyTarget> targets(start.size());
+    for (unsigned int b = 0; b < start.size(); ++b)
+      targets[b].placement = start[b];
+    return targets;
+  }
+
+
+
+  ContactRule
+  Weave::rule(const double load) const
+  {
+    ContactRule rule;
+    rule.vertical        = true;
+    rule.allowed_overlap = (1 - load) * full_overlap;
+    rule.friction = scene.parameters.contact.friction_coefficient > 0;
+    return rule;
+  }
+
+
+
+  double
+  Weave::first_step(const State &) const
+  {
+    return std::min(1., scene.parameters.weaving.step * radius / full_overlap);
+  }
+
+
+
+  bool
+  Weave::take_fast_path(State       &state,
+                        const State &before,
+                        Equilibrium &equilibrium) const
+  {
+    const WeavingParameters &weaving = scene.parameters.weaving;
+    if (weaving.path == "nested")
+      return false;
+
+    Equilibrium::Problem problem{before, targets(state.placements, 1), {}};
+    problem.rule.vertical = true;
+    const double step     = weaving.step * radius;
+    for (double overlap = full_overlap; overlap > 0;)
+      {
+        overlap                      = std::max(0., overlap - step);
+        problem.rule.allowed_overlap = overlap;
+        equilibrium.iterate(state, problem, weaving.fast_iterations_per_step);
+      }
+
+    problem.rule = ContactRule();
+    return equilibrium.solve_in_one_loop(state,
+                                         problem,
+                                         weaving.fast_end_iterations);
+  }
+
+
+
+  CurveRow
+  Weave::curve(const State &state, const std::vector<BodyVector> &) const
+  {
+    return {{"allowed_overlap[mm]", (1 - state.load) * full_overlap}};
+  }
+} // namespace fiberloom

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+// Every bad parameter file and command line gets one line that names the place
+// and the entry, and says what is allowed.
+
+#include <fiberloom/base/command_line.h>
+#include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/fabric/fabric_parameters.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+
+using namespace fiberloom;
+
+using Words = std::vector<std::string>;
+
+unsigned int n_wrong = 0;
+
+void
+expect_error(const std::string           &what,
+             const std::function<void()> &read,
+             const Words                 &expected)
+{
+  std::string message;
+  try
+    {
+      read();
+      message = "no error";
+    }
+  catch (const InputError &error)
+    {
+      message = error.what();
+    }
+  bool good = message.find('\n') == std::string::npos;
+  for (const std::string &word : expected)
+    good = good && message.find(word) != std::string::npos;
+  if (!good)
+    ++n_wrong;
+  std::cout << (good ? "" : "WRONG ") << what << " -> " << message << std::endl;
+}
+
+void
+read_all(const std::string &file, const Words &overrides)
+{
+  Parameters parameters = Parameters::parse(file, overrides);
+  resolve_fabric(parameters);
+  parameters.check_stage_order({});
+}
+
+unsigned int
+check_files()
+{
+  struct Case
+  {
+    std::string text;
+    Words       expected;
+  };
+  const std::string warp         = "subsection Fabric\nsubsection Warp\n",
+                    fill         = "subsection Fabric\nsubsection Fill\n",
+                    ends         = "\nend\nend\n";
+  const std::string       drive  = "set Stages = load\nset Drives = d\n"
+                                   "subsection Fibers\n"
+                                   "set Polylines = 0 0 0, 1 0 0\nend\n"
+                                   "subsection Drive d\n";
+  const std::string       lines  = "set Stages = load\nset Drives = d\n"
+                                   "subsection Drive d\nset Ends = 0 start\nend\n"
+                                   "subsection Fibers\nset Polylines = ";
+  const std::string       line_8 = "line 7: Fibers/Polylines";
+  const std::vector<Case> cases  = {
+     {"set Accurracy = fine\n", {"line 1", "Accurracy", "is Accuracy meant"}},
+     {"# one\n\nset A = 1 # two\n", {"line 3", "entry A"}},
+     {"subsection Febric\nend\n", {"line 1", "Febric", "Fabric, "}},
+     {"subsection Fabric\nset Tow spacing = 1\nend\n",
+      {"line 2", "Fabric/Tow spacing", "Fabric/Warp/Tow spacing meant"}},
+     {"subsection Fabric\nsubsection Weft\nend\nend\n",
+      {"line 2", "Fabric/Weft", "Fill, Warp"}},
+     {"subsection Drive tip\nend\n", {"line 1", "Drive tip", "Drives"}},
+     {"set Accuracy = coarse\n", {"line 1", "Accuracy = coarse", "draft"}},
+     {"set Maximal wall time = -1\n", {"line 1", "Maximal wall time", "0"}},
+     {warp + "set Tows = four" + ends, {"line 3", "Warp/Tows = four", "whole"}},
+     {warp + "set Tows = 0" + ends, {"line 3", "Fabric/Warp/Tows", "from 1"}},
+     {warp + "set Tows = 2.5" + ends, {"line 3", "Fabric/Warp/Tows", "whole"}},
+     {warp + "set Tows = 99999999999" + ends, {"line 3", "to 1000"}},
+     {warp + "set Fibers per tow = -7" + ends, {"line 3", "Fibers per tow"}},
+     {warp + "set Fiber radius = 0" + ends, {"line 3", "Fiber radius", "above"}},
+     {warp + "set Fiber radius = nan" + ends, {"line 3", "Fiber radius"}},
+     {warp + "set Fiber radius = 1e400" + ends, {"line 3", "Fiber radius"}},
+     {fill + "set Fiber radius = 8 um" + ends, {"line 3", "Fill/Fiber radius"}},
+     {warp + "set Young modulus = -1" + ends, {"line 3", "Young modulus"}},
+     {fill + "set Young modulus = 0" + ends, {"line 3", "Young modulus"}},
+     {warp + "set Poisson ratio = .5" + ends,
+      {"line 3", "Poisson", "below 0.5"}},
+     {warp + "set Poisson ratio = -.1" + ends, {"line 3", "Poisson ratio"}},
+     {warp + "set Elements per fiber = -1" + ends, {"line 3", "Elements"}},
+     {warp + "set Layers = 2, 2, 2" + ends, {"line 3", "Warp/Layers", "7"}},
+     {warp + "set Layers = 4, -1, 4" + ends, {"line 3", "Warp/Layers"}},
+     {warp + "set Fiber spacing = 1.9" + ends,
+      {"line 3", "Warp/Fiber spacing", "at least 2"}},
+     {warp + "set Tow spacing = 0.04" + ends,
+      {"line 3", "Warp/Tow spacing", "overlap", "at least"}},
+     {fill + "set Fibers per tow = 400" + ends, {"Fill/Tow spacing", "overlap"}},
+     {fill + "set Overhang = 0.01" + ends, {"line 3", "Fill/Overhang", "least"}},
+     {"subsection Fabric\nset Pattern = herringbone\nend\n",
+      {"line 2", "Fabric/Pattern", "herringbone", "plain"}},
+     {"subsection Fabric\nset Pattern = 1010 010 1010 0101\nend\n",
+      {"line 2", "Fabric/Pattern", "differ in length"}},
+     {"subsection Fabric\nset Pattern = 101 010 101\nend\n",
+      {"line 2", "Fabric/Pattern", "3 rows of 3", "4"}},
+     {"set Stages = weave, knit\n", {"line 1", "Stages", "knit", "relax"}},
+     {"set Stages =\n", {"line 1", "Stages", "empty"}},
+     {"set Stages = relax, weave\n", {"line 1", "Stages", "weave first"}},
+     {"set Stages = biaxial\n", {"line 1", "Stages", "biaxial", "weave first"}},
+     {"set Stages = weave, relax, weave\n", {"line 1", "Stages", "once"}},
+     {"set Stages = weave, load\n", {"line 1", "Stages", "drives"}},
+     {"set Output directory =\n", {"line 1", "Output directory", "empty"}},
+     {"set Drives = a, a\n", {"line 1", "Drives", "twice"}},
+     {"set Drives = a/b\n", {"line 1", "Drives", "a/b", "letters"}},
+     {"subsection Contact\nset Friction coefficient = -.1\nend\n",
+      {"line 2", "Contact/Friction coefficient", "at least 0"}},
+     {"subsection Contact\nset Largest penetration = 1\nend\n",
+      {"line 2", "Contact/Largest penetration", "below 1"}},
+     {"subsection Biaxial\nset Strain ratio = inf\nend\n",
+      {"line 2", "Biaxial/Strain ratio"}},
+     {"subsection Biaxial\nset Largest strain = 0\nend\n",
+      {"line 2", "Biaxial/Largest strain"}},
+     {"subsection Biaxial\n\nset Strain ratio = 1\n",
+      {"line 1", "Biaxial", "no 'end'"}},
+     {"subsection Biaxial\nend\nend\n", {"line 3", "'end'"}},
+     {"weave it\n", {"line 1", "set ENTRY = VALUE"}},
+     {"include other.prm\n", {"line 1", "include"}},
+     {"set Stages = weave, \\\n  relax, \\\n  knit\n", {"line 1", "Stages"}},
+     {drive + "end\n", {"Drive d/Ends", "no end"}},
+     {drive + "set Ends = 0 begin\nend\n", {"line 7", "Ends", "0 begin"}},
+     {drive + "set Ends = 1 end\nend\n", {"line 7", "Ends", "no fiber for 1"}},
+     {drive + "set Ends = 0 end, 0 end\nend\n", {"line 7", "Ends", "twice"}},
+     {drive + "set Ends = 0 end\nset Free = xy\nend\n",
+      {"line 8", "Free", "xy"}},
+     {drive + "set Ends = 0 end\nset Hold = glued\nend\n",
+      {"line 8", "Hold = glued", "clamped"}},
+     {drive + "set Ends = 0 end\nset Translation = 0; t\nend\n",
+      {"line 8", "Translation", "2 functions"}},
+     {drive + "set Ends = 0 end\nset Translation = 0; 0; foo*t\nend\n",
+      {"line 8", "Translation", "foo"}},
+     {drive + "set Ends = 0 end\nset Force = 0; 0; t\nend\n",
+      {"line 8", "Force", "z is not free"}},
+     {drive + "set Ends = 0 end\nset Free = rx\nset Rotation = t; 0; 0\nend\n",
+      {"line 9", "Rotation", "rx is free"}},
+     {lines + "0 0 0\nend\n", {line_8, "1 points"}},
+     {lines + "0 0 0, 1 0\nend\n", {line_8, "three numbers"}},
+     {lines + "0 0 0, 1 0 nan\nend\n", {line_8, "three numbers"}},
+     {lines + "0 0 0, 1 0 0 0\nend\n", {line_8, "three numbers"}},
+     {lines + "0 0 0, 1 0 0; 0 0 1, 0 0 1\nend\n",
+      {line_8, "line number 1", "same"}},
+     {lines + "0 0 0, 1 0 0, 0 0 0\nend\n", {line_8, "folds back"}},
+     {lines + "0 0 0, 1 0 0\nset Radius = 0\nend\n",
+      {"line 8", "Fibers/Radius"}},
+     {lines + "0 0 0, 1 0 0\nend\nset Stages = weave\n",
+      {"line 9", "Stages", "weave needs a fabric"}}};
+
+  for (const Case &bad : cases)
+    {
+      std::ofstream("bad.prm") << bad.text;
+      Words expected = bad.expected;
+      expected.push_back("bad.prm");
+      std::string shown = bad.text;
+      std::replace(shown.begin(), shown.end(), '\n', '|');
+      expect_error(
+        shown, [] { read_all("bad.prm", {}); }, expected);
+    }
+  return cases.size();
+}
+
+unsigned int
+check_overrides()
+{
+  std::ofstream("good.prm") << "set Accuracy = standard\n";
+  const std::vector<std::pair<std::string, Words>> cases = {
+    {"No such section/Entry=1", {"No such section/Entry"}},
+    {"Fabric/Warp/Towss=4", {"Fabric/Warp/Tows meant"}},
+    {"Fabric/Warp/Tows", {"Section/Entry=value"}},
+    {"Fabric/Warp/Tows=-4", {"Fabric/Warp/Tows = -4", "from 1"}},
+    {"Fabric/Warp/Tows=1=2", {"Fabric/Warp/Tows = 1=2"}},
+    {"Fabric/Warp/Layers=3", {"Fabric/Warp/Layers", "7"}},
+    {"=1", {"no entry"}},
+    {"Drives=a", {"Drive a/Ends"}}};
+  for (const auto &[text, expected] : cases)
+    {
+      Words all = expected;
+      if (text != "Drives=a")
+        all.push_back("--set \"" + text + "\"");
+      expect_error(
+        text, [text = text] { read_all("good.prm", {text}); }, all);
+    }
+  return cases.size();
+}
+
+unsigned int
+check_missing_files()
+{
+  expect_error("missing file",
+               [] { read_all("no_such_file.prm", {}); },
+               {"no_such_file.prm", "No such file"});
+  if (std::filesystem::exists("no_such_file.prm"))
+    ++n_wrong;
+  expect_error("directory", [] { read_all(".", {}); }, {"directory"});
+  return 2;
+}
+
+unsigned int
+check_command_lines()
+{
+  const std::vector<std::pair<std::vector<const char *>, Words>> cases = {
+    {{"fiberloom"}, {"usage", "FILE.prm"}},
+    {{"fiberloom", "--check"}, {"usage", "FILE.prm"}},
+    {{"fiberloom", "a.prm", "b.prm"}, {"--help"}},
+    {{"fiberloom", "a.prm", "--restar", "c"}, {"--restar", "--help"}},
+    {{"fiberloom", "a.prm", "--restart"}, {"--restart", "--help"}},
+    {{"fiberloom", "a.prm", "--set"}, {"--set", "--help"}},
+    {{"fiberloom", "a.prm", "-x"}, {"-x", "--help"}},
+    {{"fiberloom", "a.prm", "--output-directory", ""}, {"output-directory"}},
+    {{"fiberloom", "a.prm", "--check", "--check"}, {"--check"}}};
+  for (const auto &[arguments, expected] : cases)
+    expect_error(
+      arguments.back(),
+      [arguments = arguments] {
+        CommandLine::parse(arguments.size(), arguments.data());
+      },
+      expected);
+  return cases.size();
+}
+
+int
+main()
+{
+  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+  unsigned int n_cases = check_files();
+  n_cases += check_overrides();
+  n_cases += check_missing_files();
+  n_cases += check_command_lines();
+
+  std::ofstream output("output");
+  output << n_cases << " cases, " << n_wrong << " wrong" << std::endl;
+}

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+// Rigid motions cost nothing, forces turn with a deformed element (case A7 of
+// the reference cases), and nothing but the six rigid motions is free.
+
+#include "checks.h"
+#include "dense_beams.h"
+#include "sample_fibers.h"
+
+#include <fstream>
+
+using namespace fiberloom;
+
+namespace
+{
+  Eigen::VectorXd
+  turned(const Eigen::VectorXd &q, const Matrix3 &R)
+  {
+    Eigen::VectorXd result(q.size());
+    for (Eigen::Index i = 0; i < q.size(); i += 3)
+      result.segment<3>(i) = R * q.segment<3>(i);
+    return result;
+  }
+
+  Eigen::VectorXd
+  moved(const Eigen::VectorXd &q, const Matrix3 &R, const Vector3 &shift)
+  {
+    Eigen::VectorXd result = turned(q, R);
+    for (Eigen::Index i = 0; i < q.size(); i += 9)
+      result.segment<3>(i) += shift;
+    return result;
+  }
+
+  void
+  check_motions(Checks                &checks,
+                const std::string     &name,
+                const BeamElement     &element,
+                const Eigen::VectorXd &reference)
+  {
+    const Eigen::VectorXd bent =
+      reference + .3 * Eigen::VectorXd::Random(reference.size());
+    BeamElement::Vector residual, expected;
+    element.residual(bent, expected);
+    const double     energy = element.energy(bent);
+    const auto       forces = element.section_forces(bent, 0);
+
+    double rest_energy = 0, rest_force = 0, change_of_energy = 0,
+           change_of_force = 0, change_of_section = 0;
+    for (const double angle : {10., 60., 90., 170., 250., 350.})
+      {
+        const Matrix3 R =
+          Eigen::AngleAxisd(angle * M_PI / 180, Vector3(1, -2, .5).normalized())
+            .toRotationMatrix();
+        const Vector3 shift(3, -7, 5);
+
+        const Eigen::VectorXd rigid = moved(reference, R, shift);
+        element.residual(rigid, residual);
+        rest_energy = std::max(rest_energy, element.energy(rigid) / energy);
+        rest_force  = std::max(rest_force, residual.lpNorm<Eigen::Infinity>() / expected.lpNorm<Eigen::Infinity>());
+
+        const Eigen::VectorXd both = moved(bent, R, shift);
+        element.residual(both, residual);
+        change_of_energy = std::max(change_of_energy,
+                                    std::abs(element.energy(both) / energy - 1));
+        change_of_force =
+          std::max(change_of_force,
+                   relative_error(residual, turned(expected, R)));
+        const auto turned_forces = element.section_forces(both, 0);
+        change_of_section =
+          std::max({change_of_section,
+                    relative_error(turned_forces.force, R * forces.force),
+                    relative_error(turned_forces.moment, R * forces.moment)});
+      }
+    checks.below(name + ": energy of a rigid motion", rest_energy, 1e-10);
+    checks.below(name + ": force of a rigid motion", rest_force, 1e-10);
+    checks.below(name + ": energy of the bent one", change_of_energy, 1e-10);
+    checks.below(name + ": forces turn with it", change_of_force, 1e-10);
+    checks.below(name + ": section forces, too", change_of_section, 1e-10);
+  }
+
+  void
+  count_zero_modes(std::ostream &output, Checks &checks, const std::string &name, const FiberMesh &mesh)
+  {
+    Eigen::VectorXd residual;
+    Eigen::MatrixXd tangent;
+    assemble_dense(mesh, mesh.reference(), residual, tangent);
+    const Eigen::VectorXd values =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(tangent).eigenvalues();
+    const double largest = values.tail<1>()[0];
+    std::cout << name << ": " << values.head<8>().transpose() / largest
+              << std::endl;
+    output << name << ": zero modes "
+           << (values.array().abs() < 1e-13 * largest).count() << std::endl;
+    checks.above(name + ": first other mode over the largest", values[6] / largest, 1e-7);
+  }
+} // namespace
+
+int
+main()
+{
+  std::ofstream output("output");
+  Checks        checks(output);
+  std::srand(1);
+
+  const auto arc = [](const double t) {
+    return Vector3(12 * std::sin(t), 12 - 12 * std::cos(t), 2 * t * t);
+  };
+  const Vector3 up(0, 0, 1), end(6, 5, 8);
+  for (const unsigned int n : {1, 4})
+    {
+      const FiberMesh straight(
+        loose_fibers({straight_fiber(Vector3::Zero(), n * end, n)}));
+      const FiberMesh curved(loose_fibers({curved_fiber(arc, n, up)}));
+      const std::string size = ", elements " + std::to_string(n);
+      if (n == 1)
+        {
+          check_motions(checks, "straight", straight.element(0), straight.reference());
+          check_motions(checks, "curved", curved.element(0), curved.reference());
+        }
+      count_zero_modes(output, checks, "straight" + size, straight);
+      count_zero_modes(output, checks, "curved" + size, curved);
+    }
+}

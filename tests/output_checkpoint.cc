@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+// A checkpoint comes back bit for bit, and a file that is no good for this run
+// is refused with one line that says why. When the disk is full the former
+// file stays as it was.
+
+#include <fiberloom/base/exceptions.h>
+
+#include <fiberloom/output/checkpoint.h>
+#include <fiberloom/output/files.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+using namespace fiberloom;
+
+namespace
+{
+  Checkpoint
+  some_checkpoint()
+  {
+    Checkpoint checkpoint;
+    State     &state = checkpoint.state;
+    state.q          = DofVector::Constant(18, 1. / 3);
+    state.q[3]       = -0.1;
+    state.placements.resize(2);
+    state.placements[1].position = Vector3(1. / 7, 2, 3);
+    state.placements[1].rotation = Eigen::AngleAxisd(.3, Vector3(1, 2, 2) / 3.);
+    state.contact.zones.resize(1);
+    state.contact.zones[0].fibers    = {{4, 9}};
+    state.contact.zones[0].range     = {{{{.1, .2}}, {{.3, .4}}}};
+    state.contact.zones[0].stiffness = 1e5 / 3;
+    state.contact.zones[0].side      = -1;
+    state.contact.history.push_back({{{4, 9}}, {{.15, .35}}, {1e-9, 2, -3}});
+    state.stage       = 1;
+    state.increment   = 7;
+    state.load        = .7;
+    state.step        = .1;
+    state.stages_done = {"weave"};
+
+    checkpoint.stages.resize(2);
+    checkpoint.stages[0].name                            = "weave";
+    checkpoint.stages[0].converged                       = true;
+    checkpoint.stages[1].largest_penetration_over_radius = .02 / 3;
+    checkpoint.stages[1].seconds.detection               = 1.5;
+    return checkpoint;
+  }
+
+  bool
+  equal(const Checkpoint &a, const Checkpoint &b)
+  {
+    const State &s = a.state, &t = b.state;
+    const auto  &z = s.contact.zones[0], &y = t.contact.zones[0];
+    return s.q == t.q && s.placements.size() == t.placements.size() &&
+           s.placements[1].position == t.placements[1].position &&
+           s.placements[1].rotation.coeffs() ==
+             t.placements[1].rotation.coeffs() &&
+           z.fibers == y.fibers && z.range == y.range && z.side == y.side &&
+           z.stiffness == y.stiffness && z.offset == y.offset &&
+           s.contact.history[0].slip == t.contact.history[0].slip &&
+           s.contact.history[0].u == t.contact.history[0].u &&
+           s.stage == t.stage && s.increment == t.increment &&
+           s.load == t.load && s.step == t.step &&
+           s.stages_done == t.stages_done &&
+           a.stages.size() == b.stages.size() &&
+           a.stages[0].name == b.stages[0].name &&
+           a.stages[0].converged == b.stages[0].converged &&
+           a.stages[1].largest_penetration_over_radius ==
+             b.stages[1].largest_penetration_over_radius &&
+           a.stages[1].seconds.detection == b.stages[1].seconds.detection;
+  }
+
+  template <class Error>
+  std::string
+  message(const std::function<void()> &work)
+  {
+    try
+      {
+        work();
+      }
+    catch (const Error &error)
+      {
+        return error.what();
+      }
+    return "nothing is wrong";
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const MPI_Comm                           comm = MPI_COMM_WORLD;
+  std::ofstream                            out("output");
+
+  const std::string model   = "9 fibers, 2 nodes";
+  const Checkpoint  written = some_checkpoint();
+  write_checkpoint("saved", written, model, comm);
+  const Checkpoint read = read_checkpoint("saved", model, comm);
+  out << "equal " << equal(written, read) << "\n";
+  out << "nothing left aside " << !std::filesystem::exists("saved.tmp") << "\n";
+
+  const std::string content = read_file("saved");
+  const auto refusal = [&](const std::string &wrong, const std::string &its) {
+    return message<InputError>(
+      [&]() { decode_checkpoint(wrong, its, "file"); });
+  };
+
+  // every cut and every spoilt byte is noticed
+  unsigned int missed = 0;
+  for (std::size_t i = 0; i < content.size(); ++i)
+    {
+      std::string spoilt = content;
+      spoilt[i] ^= 0x10;
+      missed += refusal(content.substr(0, i), model) == "nothing is wrong";
+      missed += refusal(spoilt, model) == "nothing is wrong";
+    }
+  out << "damages missed " << missed << "\n";
+
+  std::string other_version = content;
+  other_version[21]         = 99;
+  std::string spoilt        = content;
+  spoilt[content.size() / 2] ^= 1;
+  out << refusal(content.substr(0, content.size() - 9), model) << "\n"
+      << refusal(spoilt, model) << "\n"
+      << refusal(content + "x", model) << "\n"
+      << refusal("set Stages = weave", model) << "\n"
+      << refusal(other_version, model) << "\n"
+      << refusal(content, "another model") << "\n"
+      << message<InputError>([&]() { read_checkpoint("absent", model, comm); })
+      << "\n";
+
+  // a full disk
+  std::filesystem::create_symlink("/dev/full", "saved.tmp");
+  out << message<StageFailure>([&]() {
+    write_checkpoint("saved", written, "new", comm);
+  }) << "\n"
+      << "former file intact " << (read_file("saved") == content) << "\n";
+}

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+// A run that is interrupted and continued leaves the same files as one that
+// is not, and all that are promised.
+
+#include <fiberloom/output/files.h>
+#include <fiberloom/output/writer.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+using namespace fiberloom;
+
+namespace
+{
+  FiberSet
+  two_fibers()
+  {
+    FiberSet fibers;
+    for (unsigned int f = 0; f < 2; ++f)
+      {
+        Fiber fiber{f, .01, 73000, .22, {}, {}, {}};
+        for (unsigned int n = 0; n < 9; ++n)
+          {
+            fiber.centers.emplace_back(n / 8. - .5, .021 * f, 0);
+            fiber.directions_1.push_back(Vector3::UnitY());
+            fiber.directions_2.push_back(Vector3::UnitZ());
+          }
+        fibers.fibers.push_back(fiber);
+        fibers.tows.push_back({Tow::Family::warp, f, .021 * f, .01, .01, {f}});
+      }
+    return fibers;
+  }
+
+  ContactElement
+  some_contact()
+  {
+    ContactElement contact{};
+    contact.fibers       = {{0, 1}};
+    contact.points       = {{{1, .5}, {5, .5}}};
+    contact.normal       = -Vector3::UnitY();
+    contact.particles    = {{{{1, 0}}, {{-1, 0}}}};
+    contact.normal_force = 3;
+    return contact;
+  }
+
+  void
+  increment(OutputWriter      &writer,
+            const FiberMesh   &mesh,
+            State             &state,
+            const std::string &stage)
+  {
+    const unsigned int n = 3;
+    ++state.increment;
+    state.load = double(state.increment) / n;
+    state.q    = (1 + .01 * state.load) * mesh.reference();
+
+    const std::vector<ContactElement>              contacts(5, some_contact());
+    const Supports                                 supports;
+    const std::vector<Eigen::Matrix<double, 6, 1>> reactions;
+    const StageStatistics                          statistics;
+    writer({stage,
+            state,
+            contacts,
+            supports,
+            reactions,
+            {{"strain_warp", state.load}, {"force_warp[N]", state.load}},
+            statistics,
+            state.increment == n});
+  }
+
+  /** Both stages of a scene, or increments from @p checkpoint on. */
+  void
+  run(const Parameters  &parameters,
+      const unsigned int n_increments,
+      const bool         restart)
+  {
+    const FiberSet  fibers = two_fibers();
+    const FiberMesh mesh(fibers);
+    double          seconds = 0;
+    OutputWriter    writer(
+      parameters, fibers, mesh, ModelSize(), MPI_COMM_WORLD, seconds);
+
+    State state;
+    state.q = mesh.reference();
+    if (restart)
+      {
+        const Checkpoint checkpoint =
+          read_checkpoint(parameters.output_directory + "/checkpoint",
+                          describe_model(mesh),
+                          MPI_COMM_WORLD);
+        state = checkpoint.state;
+        writer.continue_from(checkpoint);
+      }
+    writer.begin();
+    for (unsigned int i = 0; i < n_increments; ++i)
+      {
+        if (state.load == 1)
+          {
+            ++state.stage;
+            state.increment = 0;
+            state.load      = 0;
+          }
+        writer.begin_stage(parameters.stages[state.stage], state);
+        increment(writer, mesh, state, parameters.stages[state.stage]);
+      }
+  }
+
+  std::set<std::string>
+  files(const std::string &directory)
+  {
+    std::set<std::string> names;
+    for (const auto &entry :
+         std::filesystem::recursive_directory_iterator(directory))
+      names.insert(std::filesystem::relative(entry.path(), directory).string());
+    return names;
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  Parameters parameters;
+  parameters.stages                  = {"relax", "biaxial"};
+  parameters.output.checkpoint_every = 2;
+
+  parameters.output_directory = "straight";
+  run(parameters, 6, false);
+  // the last increment before the interruption is after the checkpoint
+  parameters.output_directory = "interrupted";
+  run(parameters, 4, false);
+  run(parameters, 3, true);
+
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    return 0;
+  std::ofstream out("output");
+  for (const auto &name : files("straight"))
+    if (name.find('/') == std::string::npos ||
+        name.find(".vtu") == std::string::npos)
+      out << name << "\n";
+  out << "same files " << (files("straight") == files("interrupted")) << "\n";
+  for (const char *name : {"fibers.pvd",
+                           "sections.pvd",
+                           "contacts.pvd",
+                           "loading_curve.csv",
+                           "trajectories.csv",
+                           "fields/fibers_biaxial_0002_0.vtu",
+                           "slices/warp_biaxial_0003.svg",
+                           "pictures/loading_curve_biaxial.svg"})
+    out << "same " << name << " "
+        << (read_file(std::string("straight/") + name) ==
+            read_file(std::string("interrupted/") + name))
+        << "\n";
+}
