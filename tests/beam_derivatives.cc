@@ -5,9 +5,6 @@
 // differences, and with an energy written down here from the strain tensor and
 // an integration over the disc, whose derivatives Sacado takes.
 
-#include "checks.h"
-#include "sample_fibers.h"
-
 #include <fiberloom/beams/fiber_mesh.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -17,6 +14,9 @@
 #include <Sacado.hpp>
 
 #include <fstream>
+
+#include "checks.h"
+#include "sample_fibers.h"
 
 using namespace fiberloom;
 
@@ -72,11 +72,11 @@ namespace
   /** Of the section strains, in index notation, at a node. */
   template <typename Number>
   Number
-  node_strain(const Dofs<Number>  &q,
-              const Dofs<double>  &reference,
-              const unsigned int   a,
-              const unsigned int   i,
-              const unsigned int   j)
+  node_strain(const Dofs<Number> &q,
+              const Dofs<double> &reference,
+              const unsigned int  a,
+              const unsigned int  i,
+              const unsigned int  j)
   {
     return .5 * (dot(node_vector(q, a, i + 1), node_vector(q, a, j + 1)) -
                  dot(node_vector(reference, a, i + 1),
@@ -92,10 +92,9 @@ namespace
                const double        z2)
   {
     const auto     N = shape_values(xi), dN = shape_derivatives(xi);
-    Tensor<Number> g{{interpolate(q, 1, N),
-                      interpolate(q, 2, N),
-                      interpolate(q, 0, dN)}};
-    const auto     dg1 = interpolate(q, 1, dN), dg2 = interpolate(q, 2, dN);
+    Tensor<Number> g{
+      {interpolate(q, 1, N), interpolate(q, 2, N), interpolate(q, 0, dN)}};
+    const auto dg1 = interpolate(q, 1, dN), dg2 = interpolate(q, 2, dN);
     for (unsigned int d = 0; d < 3; ++d)
       g[2][d] += z1 * dg1[d] + z2 * dg2[d];
     return g;
@@ -111,7 +110,7 @@ namespace
     const double G = E / (2 * (1 + poisson_ratio));
     const double lambda =
       whole_law ? 2 * G * poisson_ratio / (1 - 2 * poisson_ratio) : 0;
-    const double own = whole_law ? 2 * G : E;
+    const double own   = whole_law ? 2 * G : E;
     const Number trace = strain[0][0] + strain[1][1] + strain[2][2];
     Number       w     = .5 * lambda * trace * trace;
     for (unsigned int i = 0; i < 3; ++i)
@@ -145,8 +144,7 @@ namespace
         const auto N = shape_values(xi);
         Matrix3    center;
         for (unsigned int i = 0; i < 3; ++i)
-          center.col(i) =
-            Vector3(base_vectors(reference, xi, 0, 0)[i].data());
+          center.col(i) = Vector3(base_vectors(reference, xi, 0, 0)[i].data());
         Matrix3 frame;
         frame.col(0) = center.col(0).normalized();
         frame.col(2) = center.col(0).cross(center.col(1)).normalized();
@@ -166,9 +164,9 @@ namespace
               const double angle = 2 * M_PI * n / n_angles;
               const double z1    = rho * std::cos(angle),
                            z2    = rho * std::sin(angle);
-              const auto   G     = base_vectors(reference, xi, z1, z2);
-              const auto   g     = base_vectors(q, xi, z1, z2);
-              Matrix3      basis;
+              const auto G       = base_vectors(reference, xi, z1, z2);
+              const auto g       = base_vectors(q, xi, z1, z2);
+              Matrix3    basis;
               for (unsigned int i = 0; i < 3; ++i)
                 basis.col(i) = frame.transpose() * Vector3(G[i].data());
               const Matrix3 dual = basis.inverse(); // rows G^i
@@ -215,7 +213,7 @@ namespace
           }
       }
 
-    const double D = E / (1 - poisson_ratio * poisson_ratio);
+    const double D    = E / (1 - poisson_ratio * poisson_ratio);
     const auto   mode = [&](const unsigned int i, const unsigned int j) {
       return Number((node_strain(q, reference, 0, i, j) -
                      2 * node_strain(q, reference, 1, i, j) +
@@ -254,7 +252,9 @@ namespace
       element.residual(x, f);
       return f;
     };
-    checks.below(name + ": residual alone", relative_error(alone, residual), 1e-14);
+    checks.below(name + ": residual alone",
+                 relative_error(alone, residual),
+                 1e-14);
     checks.below(name + ": residual by differences",
                  relative_error(difference_gradient(energy, q, 1e-5), residual),
                  1e-7);
@@ -279,7 +279,7 @@ namespace
     Dofs<Fad2> x;
     for (unsigned int i = 0; i < 27; ++i)
       {
-        x[i]       = Fad2(27, i, Fad(27, i, q[i]));
+        x[i] = Fad2(27, i, Fad(27, i, q[i]));
       }
     const Fad2 exact = energy_by_definition(x,
                                             to_array(reference),
@@ -316,14 +316,16 @@ main()
 
   const auto line = [](const double t) { return Vector3(5 * t, 4 * t, 3 * t); };
   const auto arc  = [](const double t) {
-    return Vector3(20 * std::sin(.5 * t), 20 - 20 * std::cos(.5 * t), 3 * t * t);
+    return Vector3(20 * std::sin(.5 * t),
+                   20 - 20 * std::cos(.5 * t),
+                   3 * t * t);
   };
   for (const double poisson_ratio : {.3, .45})
     for (const bool curved : {false, true})
       {
-        const FiberMesh mesh(loose_fibers(
+        const FiberMesh           mesh(loose_fibers(
           {curved ? curved_fiber(arc, 1, Vector3(.2, .4, 1), poisson_ratio) :
-                    curved_fiber(line, 1, Vector3(.2, .4, 1), poisson_ratio)}));
+                              curved_fiber(line, 1, Vector3(.2, .4, 1), poisson_ratio)}));
         const BeamElement        &element = mesh.element(0);
         const BeamElement::Vector q =
           mesh.reference() + .4 * BeamElement::Vector::Random();

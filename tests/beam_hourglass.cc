@@ -6,18 +6,18 @@
 // stretched fiber with one stiff end, and a load on one node would squeeze
 // sections many nodes away.
 
+#include <cstdio>
+#include <fstream>
+
 #include "checks.h"
 #include "dense_beams.h"
 #include "sample_fibers.h"
-
-#include <cstdio>
-#include <fstream>
 
 using namespace fiberloom;
 
 namespace
 {
-  constexpr unsigned int n_elements = 6;
+  constexpr unsigned int n_elements     = 6;
   constexpr double       element_length = 15, nu = .3;
 
   /** Along x, first section vector along z: dof 5 of a node is its length. */
@@ -40,7 +40,7 @@ main()
   assemble_dense(mesh, mesh.reference(), residual, tangent);
 
   // Stretched, the section of the first node rigid.
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(residual.size());
+  Eigen::VectorXd force   = Eigen::VectorXd::Zero(residual.size());
   force[force.size() - 9] = 1;
   const Eigen::VectorXd pulled =
     solve_dense(tangent, force, {0, 1, 2, 3, 4, 5, 6, 7, 8});
@@ -58,11 +58,10 @@ main()
   for (const unsigned int node : {6u, 7u})
     {
       force.setZero();
-      force[9 * node + 5]           = 1;
-      const Eigen::VectorXd squeeze = solve_dense(tangent,
-                                                  force,
-                                                  {0, 1, 2, 3, 4, 6, 8});
-      double                far     = 0;
+      force[9 * node + 5] = 1;
+      const Eigen::VectorXd squeeze =
+        solve_dense(tangent, force, {0, 1, 2, 3, 4, 6, 8});
+      double far = 0;
       for (unsigned int other = 0; other < mesh.n_nodes(); ++other)
         if (std::abs(int(other) - int(node)) > 1)
           far = std::max(far, std::abs(squeeze[9 * other + 5]));
@@ -81,7 +80,7 @@ main()
       Eigen::VectorXd mode = Eigen::VectorXd::Zero(27);
       for (const unsigned int node : {0, 1, 2})
         {
-          const double t    = node == 1 ? -.5 : 1;
+          const double t = node == 1 ? -.5 : 1;
           // Elongation along z, or a shear of the section: both vectors lean.
           mode[9 * node + (shear ? 4 : 5)] = t;
           if (shear)
@@ -91,7 +90,8 @@ main()
       const double cured =
         .5 * M_PI * element_length / 2 * (shear ? 4 * G : 1 / (1 - nu * nu));
       // e14 or e15 and e24 are 6 xi / L and -6 xi / L at the Gauss points.
-      const double slope = .5 * (shear ? 2 : 1) * G * M_PI / 4 * 12 / element_length;
+      const double slope =
+        .5 * (shear ? 2 : 1) * G * M_PI / 4 * 12 / element_length;
       checks.below(std::string("energy of the mode in ") +
                      (shear ? "shear" : "elongation"),
                    .5 * mode.dot(tangent * mode) / (cured + slope) - 1,

@@ -4,11 +4,11 @@
 // Rigid motions cost nothing, forces turn with a deformed element (case A7 of
 // the reference cases), and nothing but the six rigid motions is free.
 
+#include <fstream>
+
 #include "checks.h"
 #include "dense_beams.h"
 #include "sample_fibers.h"
-
-#include <fstream>
 
 using namespace fiberloom;
 
@@ -42,8 +42,8 @@ namespace
       reference + .3 * Eigen::VectorXd::Random(reference.size());
     BeamElement::Vector residual, expected;
     element.residual(bent, expected);
-    const double     energy = element.energy(bent);
-    const auto       forces = element.section_forces(bent, 0);
+    const double energy = element.energy(bent);
+    const auto   forces = element.section_forces(bent, 0);
 
     double rest_energy = 0, rest_force = 0, change_of_energy = 0,
            change_of_force = 0, change_of_section = 0;
@@ -57,12 +57,15 @@ namespace
         const Eigen::VectorXd rigid = moved(reference, R, shift);
         element.residual(rigid, residual);
         rest_energy = std::max(rest_energy, element.energy(rigid) / energy);
-        rest_force  = std::max(rest_force, residual.lpNorm<Eigen::Infinity>() / expected.lpNorm<Eigen::Infinity>());
+        rest_force  = std::max(rest_force,
+                              residual.lpNorm<Eigen::Infinity>() /
+                                expected.lpNorm<Eigen::Infinity>());
 
         const Eigen::VectorXd both = moved(bent, R, shift);
         element.residual(both, residual);
-        change_of_energy = std::max(change_of_energy,
-                                    std::abs(element.energy(both) / energy - 1));
+        change_of_energy =
+          std::max(change_of_energy,
+                   std::abs(element.energy(both) / energy - 1));
         change_of_force =
           std::max(change_of_force,
                    relative_error(residual, turned(expected, R)));
@@ -80,7 +83,10 @@ namespace
   }
 
   void
-  count_zero_modes(std::ostream &output, Checks &checks, const std::string &name, const FiberMesh &mesh)
+  count_zero_modes(std::ostream      &output,
+                   Checks            &checks,
+                   const std::string &name,
+                   const FiberMesh   &mesh)
   {
     Eigen::VectorXd residual;
     Eigen::MatrixXd tangent;
@@ -92,7 +98,9 @@ namespace
               << std::endl;
     output << name << ": zero modes "
            << (values.array().abs() < 1e-13 * largest).count() << std::endl;
-    checks.above(name + ": first other mode over the largest", values[6] / largest, 1e-7);
+    checks.above(name + ": first other mode over the largest",
+                 values[6] / largest,
+                 1e-7);
   }
 } // namespace
 
@@ -111,12 +119,18 @@ main()
     {
       const FiberMesh straight(
         loose_fibers({straight_fiber(Vector3::Zero(), n * end, n)}));
-      const FiberMesh curved(loose_fibers({curved_fiber(arc, n, up)}));
+      const FiberMesh   curved(loose_fibers({curved_fiber(arc, n, up)}));
       const std::string size = ", elements " + std::to_string(n);
       if (n == 1)
         {
-          check_motions(checks, "straight", straight.element(0), straight.reference());
-          check_motions(checks, "curved", curved.element(0), curved.reference());
+          check_motions(checks,
+                        "straight",
+                        straight.element(0),
+                        straight.reference());
+          check_motions(checks,
+                        "curved",
+                        curved.element(0),
+                        curved.reference());
         }
       count_zero_modes(output, checks, "straight" + size, straight);
       count_zero_modes(output, checks, "curved" + size, curved);

@@ -6,12 +6,12 @@
 // elements: no Poisson, shear or membrane locking. Transverse contraction. The
 // exact law of uniaxial tension at finite strain.
 
+#include <cstdio>
+#include <fstream>
+
 #include "checks.h"
 #include "dense_beams.h"
 #include "sample_fibers.h"
-
-#include <cstdio>
-#include <fstream>
 
 using namespace fiberloom;
 
@@ -32,10 +32,8 @@ namespace
   {
     const double    L = element_length * n_elements;
     const double    G = 1 / (2 * (1 + poisson_ratio));
-    const FiberMesh mesh(loose_fibers({straight_fiber(Vector3::Zero(),
-                                                      Vector3(L, 0, 0),
-                                                      n_elements,
-                                                      poisson_ratio)}));
+    const FiberMesh mesh(loose_fibers({straight_fiber(
+      Vector3::Zero(), Vector3(L, 0, 0), n_elements, poisson_ratio)}));
     Eigen::VectorXd residual;
     Eigen::MatrixXd tangent;
     assemble_dense(mesh, mesh.reference(), residual, tangent);
@@ -55,9 +53,9 @@ namespace
     ratios.tension                = tension[tip] * A / L;
     ratios.contraction            = -tension[tip + 5] / (tension[tip] / L);
     // Forces on the ends of section vectors that make a unit moment.
-    ratios.bending = response({{3, 1.}})[tip + 3] * I / L;
+    ratios.bending              = response({{3, 1.}})[tip + 3] * I / L;
     const Eigen::VectorXd twist = response({{4, -.5}, {8, -.5}});
-    ratios.torsion = -twist[tip + 4] * G * 2 * I / L;
+    ratios.torsion              = -twist[tip + 4] * G * 2 * I / L;
     ratios.cantilever =
       response({{2, 1.}})[tip + 2] / (L * L * L / (3 * I) + L / (G * A));
     return ratios;
@@ -70,15 +68,16 @@ namespace
   SectionStiffness::Matrix
   uncured_section(const double poisson_ratio)
   {
-    const double G = 1 / (2 * (1 + poisson_ratio));
+    const double G      = 1 / (2 * (1 + poisson_ratio));
     const double lambda = 2 * G * poisson_ratio / (1 - 2 * poisson_ratio);
 
-    SectionStiffness::Matrix D = SectionStiffness::Matrix::Zero();
+    SectionStiffness::Matrix D       = SectionStiffness::Matrix::Zero();
     const unsigned int       n_radii = 200, n_angles = 12;
     for (unsigned int p = 0; p < n_radii; ++p)
       for (unsigned int n = 0; n < n_angles; ++n)
         {
-          const double rho = (p + .5) / n_radii, angle = 2 * M_PI * n / n_angles;
+          const double rho   = (p + .5) / n_radii,
+                       angle = 2 * M_PI * n / n_angles;
           const double z1 = rho * std::cos(angle), z2 = rho * std::sin(angle);
           // rows 11, 22, 33, 2*12, 2*13, 2*23
           Eigen::Matrix<double, 6, 15> strain =
@@ -99,11 +98,12 @@ namespace
     return D;
   }
 
-  /** Bending stiffness over EI, all strains free that are linear in the dofs. */
+  /** Bending stiffness over EI, all strains free that are linear in the dofs.
+   */
   double
   bending_ratio(const SectionStiffness::Matrix &D)
   {
-    Eigen::Matrix<double, 12, 12> linear; // without 44, 55, 45
+    Eigen::Matrix<double, 12, 12>      linear; // without 44, 55, 45
     const std::array<unsigned int, 12> rows{
       {0, 1, 2, 5, 6, 7, 8, 9, 10, 11, 12, 13}};
     for (unsigned int i = 0; i < 12; ++i)
@@ -112,14 +112,15 @@ namespace
     return 1 / (linear.inverse()(10, 10) * I);
   }
 
-  /** Force and section stretch of a uniform stretch with a stress-free border. */
+  /** Force and section stretch of a uniform stretch with a stress-free border.
+   */
   void
   check_uniaxial(Checks &checks)
   {
     const double    stretch = 1.1, poisson_ratio = .3, L = 3;
     const FiberMesh mesh(loose_fibers(
       {straight_fiber(Vector3::Zero(), Vector3(L, 0, 0), 1, poisson_ratio)}));
-    const double section =
+    const double    section =
       std::sqrt(1 - poisson_ratio * (stretch * stretch - 1));
     DofVector q = section * mesh.reference();
     for (const unsigned int node : {0, 1, 2})

@@ -27,8 +27,7 @@ public:
     if (std::abs(value) < bound)
       output << name << " below " << bound << ": ok" << std::endl;
     else
-      output << name << ": " << value << " is not below " << bound
-             << std::endl;
+      output << name << ": " << value << " is not below " << bound << std::endl;
   }
 
   void
@@ -38,16 +37,17 @@ public:
     if (value > bound)
       output << name << " above " << bound << ": ok" << std::endl;
     else
-      output << name << ": " << value << " is not above " << bound
-             << std::endl;
+      output << name << ": " << value << " is not above " << bound << std::endl;
   }
 
   void
   equal(const std::string &name, const double value, const double expected)
   {
-    below(name + " less " + std::to_string(expected),
-          value - expected,
-          1e-9);
+    std::cout << name << ": " << value << std::endl;
+    if (std::abs(value - expected) < 1e-9)
+      output << name << " is " << expected << ": ok" << std::endl;
+    else
+      output << name << ": " << value << " is not " << expected << std::endl;
   }
 
   void
@@ -65,8 +65,7 @@ template <class A, class B>
 double
 relative_error(const A &computed, const B &exact)
 {
-  return (computed - exact).cwiseAbs().maxCoeff() /
-         exact.cwiseAbs().maxCoeff();
+  return (computed - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
 }
 
 /** Central differences of a scalar function. */
@@ -85,7 +84,8 @@ difference_gradient(const Function &f, const Vector &x, const double step)
   return gradient;
 }
 
-/** Central differences of a vector function with as many results as arguments. */
+/** Central differences of a vector function with as many results as arguments.
+ */
 template <class Vector, class Function>
 Eigen::MatrixXd
 difference_jacobian(const Function &f, const Vector &x, const double step)

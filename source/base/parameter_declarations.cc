@@ -219,10 +219,10 @@ namespace fiberloom
       catalogue.enter_section("Weaving");
       catalogue.add("Path",
                     weaving.path,
-                    "fast weaves without friction in one loop, nested with all "
-                    "loops and friction; automatic tries fast first and falls "
-                    "back to nested.",
-                    Allowed::one_of("automatic|fast|nested"));
+                    "automatic weaves in one damped loop without friction and "
+                    "falls back to nested, which takes every step to "
+                    "equilibrium with friction.",
+                    Allowed::one_of("automatic|nested"));
       catalogue.add("Step",
                     weaving.step,
                     "By how much the allowed overlap of crossing tows shrinks "
@@ -334,9 +334,15 @@ namespace fiberloom
                     solver.largest_newton_iterations,
                     "Newton iterations for one update of the normals.",
                     Allowed::whole(1, most_iterations));
+      catalogue.add("Damping",
+                    solver.damping,
+                    "Least diagonal added to the tangent where contact and "
+                    "normals are updated in every Newton iteration, over E r.",
+                    Allowed::above(0));
       catalogue.add("Line search from",
                     solver.line_search_from,
-                    "Newton iteration from which the energy must decrease.",
+                    "Number of Newton iterations after which the energy must "
+                    "decrease.",
                     Allowed::whole(1, most_iterations));
       catalogue.add("Growth",
                     solver.growth,
@@ -365,7 +371,8 @@ namespace fiberloom
                     Allowed::whole(0, most_iterations));
       catalogue.add("Slices",
                     output.slices,
-                    "Direction of the tows that the slices cut across.",
+                    "Family of tows whose middle one the slices cut along, across "
+                    "the tows of the other family.",
                     Allowed::one_of("warp|fill|both|none"));
       catalogue.add("Section points",
                     output.section_points,

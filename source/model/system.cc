@@ -465,7 +465,6 @@ namespace fiberloom
 
   double
   System::energy(const State                       &state,
-                 const std::vector<BodyTarget>     &targets,
                  const std::vector<ContactElement> &contacts) const
   {
     double energy = 0;
@@ -475,11 +474,20 @@ namespace fiberloom
     for (const ContactElement &contact : contacts)
       if (numbering.local_block(contact.first_nodes[0]) >= 0)
         energy += contact_energy(contact, section_pair(contact, state.q));
-    for (unsigned int b = 0; b < targets.size(); ++b)
-      if (numbering.local_block(numbering.body_block(b)) >= 0)
-        energy -=
-          targets[b].load.head<3>().dot(state.placements[b].position);
     return sum(energy, numbering.communicator());
+  }
+
+
+
+  double
+  System::load_work(const std::vector<BodyTarget> &targets,
+                    const Eigen::VectorXd         &increment) const
+  {
+    double work = 0;
+    for (unsigned int b = 0; b < targets.size(); ++b)
+      work += targets[b].load.dot(
+        increment.segment<6>(numbering.first_dof(numbering.body_block(b))));
+    return work;
   }
 
 

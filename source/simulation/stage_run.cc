@@ -57,7 +57,10 @@ namespace fiberloom
                   generator,
                   system,
                   statistics,
-                  [&log](const std::string &line) { log.write(line); })
+                  [this]() {
+                    if (this->stop_requested())
+                      throw StopRequested("");
+                  })
     , shown(statistics)
   {}
 
@@ -70,18 +73,20 @@ namespace fiberloom
     load_at_start = state.load;
     if (state.increment == 0 && state.step == 0)
       {
-        stage.begin(state, equilibrium);
-        state.stage_start_placements = state.placements;
-        state.step                   = stage.first_step(state);
-        if (take_fast_path(state))
+        // Interrupted here, the stage has to begin anew: keep the state apart.
+        State begun = state;
+        stage.begin(begun, equilibrium);
+        begun.stage_start_placements = begun.placements;
+        begun.step                   = stage.first_step(begun);
+        const bool arrived           = take_fast_path(begun);
+        state                        = std::move(begun);
+        if (arrived)
           show(state, observer);
       }
     while (state.load < 1)
       {
         take_increment(state);
         show(state, observer);
-        if (state.load < 1 && stop_requested())
-          throw StopRequested("");
       }
     statistics.converged = true;
   }

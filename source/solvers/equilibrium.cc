@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace fiberloom
 {
@@ -24,6 +23,10 @@ namespace fiberloom
     // Inner tolerance: a tenth of what the outer loop still has to remove.
     constexpr double inner_reduction = .1, loosest_inner = .02,
                      tightest_inner = 1e-5;
+
+    // A loop on normals that contracts slower than this, from this pass on.
+    constexpr double       slow_ratio     = .5;
+    constexpr unsigned int slow_from_pass = 3;
 
     constexpr double       diverged        = 1e8;
     constexpr double       shift_over_Er   = 1e-4;
@@ -43,14 +46,14 @@ namespace fiberloom
                            ContactGenerator                        &generator,
                            System                                  &system,
                            StageStatistics                         &statistics,
-                           std::function<void(const std::string &)> report)
+                           std::function<void()>                    watch)
     : mesh(mesh)
     , parameters(parameters)
     , generator(generator)
     , system(system)
     , linear_solver(system.layout(), parameters.solver.factor_precision)
     , statistics(statistics)
-    , report(std::move(report))
+    , watch(std::move(watch))
   {}
 
 
@@ -134,6 +137,15 @@ namespace fiberloom
 
 
   bool
+  Equilibrium::needs_stiffening() const
+  {
+    return largest_penetration() >
+           penetration_tolerance * parameters.contact.largest_penetration;
+  }
+
+
+
+  void
   Equilibrium::adapt_stiffness(State &state) const
   {
     const double        target = parameters.contact.largest_penetration;
@@ -143,15 +155,10 @@ namespace fiberloom
         std::max(penetration[contact.zone],
                  -contact.gap / smaller_radius(contact));
 
-    bool changed = false;
     for (unsigned int z = 0; z < penetration.size(); ++z)
       if (penetration[z] > penetration_tolerance * target)
-        {
-          state.contact.zones[z].stiffness *=
-            std::min(penetration[z] / target, largest_stiffening);
-          changed = true;
-        }
-    return changed;
+        state.contact.zones[z].stiffness *=
+          std::min(penetration[z] / target, largest_stiffening);
   }
 
 
@@ -162,16 +169,16 @@ namespace fiberloom
                             const Eigen::VectorXd &increment,
                             const double           factor) const
   {
-    const double before =
-      system.energy(state, problem.targets, contact_elements);
-    double tried = factor;
+    const double before = system.energy(state, contact_elements);
+    const double work   = system.load_work(problem.targets, increment);
+    double       tried  = factor;
     for (unsigned int i = 0; i < largest_halvings; ++i, tried /= 2)
       {
         State moved;
         moved.q          = state.q;
         moved.placements = state.placements;
         system.advance(moved, increment, tried);
-        if (system.energy(moved, problem.targets, contact_elements) <=
+        if (system.energy(moved, contact_elements) - tried * work <=
             before + 1e-12 * std::abs(before))
           return tried;
       }
@@ -180,14 +187,13 @@ namespace fiberloom
 
 
 
-  static double env(const char *n, double d) { const char *v = std::getenv(n); return v ? std::atof(v) : d; }
-
   Equilibrium::Step
   Equilibrium::newton_step(State         &state,
                            const Problem &problem,
                            const double   tolerance,
                            const bool     search_line)
   {
+    watch();
     {
       ScopedTimer timer(statistics.seconds.assembly);
       system.assemble(state, problem.targets, contact_elements);
@@ -214,37 +220,18 @@ namespace fiberloom
     statistics.linear_iterations += outcome.iterations;
     statistics.factorizations += outcome.factorizations;
 
-    Eigen::VectorXd increment = system.gather(solution);
+    const Eigen::VectorXd increment = system.gather(solution);
     const double          move      = system.largest_move(increment);
-    if (env("FL_CLAMP", 0) > 0 && move > parameters.solver.largest_move)
-      for (const auto &line : mesh.lines())
-        for (unsigned int n = line.first_node; n < line.first_node + line.n_nodes(); ++n)
-          {
-            double m = 0;
-            for (unsigned int v = 0; v < 3; ++v)
-              m = std::max(m, increment.segment<3>(9 * n + 3 * v).norm() / line.radius);
-            if (m > parameters.solver.largest_move)
-              increment.segment<9>(9 * n) *= parameters.solver.largest_move / m;
-          }
     if (!std::isfinite(move))
       return Step::failed;
     double       factor = 1;
     const double limit  = parameters.solver.largest_move;
-    if (env("FL_CLAMP", 0) == 0 && limit > 0 && !contact_elements.empty() && move > limit)
+    if (limit > 0 && !contact_elements.empty() && move > limit)
       factor = limit / move;
     if (search_line && !moves)
       {
         ScopedTimer timer(statistics.seconds.assembly);
         factor = search_along(state, problem, increment, factor);
-      }
-    if (std::getenv("FIBERLOOM_TRACE"))
-      {
-        char line[200];
-        std::snprintf(line, sizeof(line),
-                      "    newton: residual %9.2e scale %9.2e move %8.3f factor %6.3f krylov %u shift %g contacts %zu pen %.4f",
-                      residual, residual_scale(), move, factor,
-                      outcome.iterations, outcome.shift, contact_elements.size(), largest_penetration());
-        report(line);
       }
     last_factor = factor;
     system.advance(state, increment, factor);
@@ -301,13 +288,31 @@ namespace fiberloom
   bool
   Equilibrium::solve(State &state, const Problem &problem)
   {
+    if (solve_nested(state, problem))
+      return true;
+
+    // Frozen normals let soft modes of a tow run away; the damped loop, whose
+    // normals follow every iteration, starts over from the last good state.
+    state = problem.before;
+    return solve_in_one_loop(state,
+                             problem,
+                             parameters.solver.largest_newton_iterations,
+                             parameters.solver.damping);
+  }
+
+
+
+  bool
+  Equilibrium::solve_nested(State &state, const Problem &problem)
+  {
     damping = 0;
     for (unsigned int pass = 0;
          pass < parameters.solver.largest_contact_passes;
          ++pass)
       {
         generate(state, problem);
-        bool settled = false;
+        bool   settled  = false;
+        double previous = 0;
         for (unsigned int normals = 0;
              normals < parameters.solver.largest_normal_passes && !settled;
              ++normals)
@@ -317,12 +322,16 @@ namespace fiberloom
             const double residual = measure(state, problem);
             settled               = residual < tolerance() &&
                       !system.moves(state, problem.targets);
-            if (std::getenv("FIBERLOOM_TRACE"))
-              report("  pass " + std::to_string(pass) + "." + std::to_string(normals) + " residual " + std::to_string(residual));
-            if (settled && normals == 0 && !adapt_stiffness(state))
-              return true;
             if (settled)
-              break;
+              {
+                if (normals == 0 && !needs_stiffening())
+                  return true;
+                break;
+              }
+            if (normals >= slow_from_pass && residual > slow_ratio * previous)
+              return false;
+            previous = residual;
+
             double inner = tolerance();
             if (!contact_elements.empty() &&
                 !system.moves(state, problem.targets))
@@ -346,13 +355,14 @@ namespace fiberloom
   void
   Equilibrium::iterate(State             &state,
                        const Problem     &problem,
-                       const unsigned int n)
+                       const unsigned int n,
+                       const double       damping_over_Er)
   {
-    damping = env("FL_DAMP", 0);
+    damping = damping_over_Er;
     for (unsigned int i = 0; i < n; ++i)
       {
         generate(state, problem);
-        if (newton_step(state, problem, 1e-3, i + 1 >= 3) != Step::moved)
+        if (newton_step(state, problem, tolerance(), i >= 2) != Step::moved)
           return;
       }
   }
@@ -362,22 +372,27 @@ namespace fiberloom
   bool
   Equilibrium::solve_in_one_loop(State             &state,
                                  const Problem     &problem,
-                                 const unsigned int largest_iterations)
+                                 const unsigned int largest_iterations,
+                                 const double       least_damping)
   {
+    damping = least_damping;
     for (unsigned int i = 0; i < largest_iterations; ++i)
       {
-        if (i > 0)
-          damping *= last_factor > .7 ? env("FL_DOWN", .5) : last_factor < .3 ? env("FL_UP", 4) : 1;
         generate(state, problem);
         switch (newton_step(state, problem, tolerance(), i >= 2))
           {
             case Step::converged:
-              if (!adapt_stiffness(state))
+              if (!needs_stiffening())
                 return true;
+              adapt_stiffness(state);
               break;
             case Step::failed:
               return false;
             case Step::moved:
+              if (last_factor < .3)
+                damping *= 4;
+              else if (last_factor > .7)
+                damping = std::max(damping / 2, least_damping);
               break;
           }
       }

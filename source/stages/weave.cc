@@ -9,6 +9,14 @@
 
 namespace fiberloom
 {
+  namespace
+  {
+    // With standard normals, after the overlap has gone.
+    constexpr unsigned int frictionless_iterations = 2;
+  } // namespace
+
+
+
   Weave::Weave(const Scene &scene)
     : Stage(scene)
     , full_overlap(0)
@@ -82,6 +90,8 @@ namespace fiberloom
     if (weaving.path == "nested")
       return false;
 
+    const double damping = scene.parameters.solver.damping;
+
     Equilibrium::Problem problem{before, targets(state.placements, 1), {}};
     problem.rule.vertical = true;
     const double step     = weaving.step * radius;
@@ -89,13 +99,22 @@ namespace fiberloom
       {
         overlap                      = std::max(0., overlap - step);
         problem.rule.allowed_overlap = overlap;
-        equilibrium.iterate(state, problem, weaving.fast_iterations_per_step);
+        equilibrium.iterate(state,
+                            problem,
+                            weaving.fast_iterations_per_step,
+                            damping);
       }
 
+    // Friction starts where the fibers are now: nothing is locked in.
     problem.rule = ContactRule();
+    equilibrium.iterate(state, problem, frictionless_iterations, damping);
+    const State          reference = state;
+    Equilibrium::Problem end{reference, problem.targets, {}};
+    end.rule.friction = scene.parameters.contact.friction_coefficient > 0;
     return equilibrium.solve_in_one_loop(state,
-                                         problem,
-                                         weaving.fast_end_iterations);
+                                         end,
+                                         weaving.fast_end_iterations,
+                                         damping);
   }
 
 

@@ -81,11 +81,11 @@ namespace fiberloom
 
   struct WeavingParameters
   {
-    std::string path = "automatic"; // automatic | fast | nested
+    std::string path = "automatic"; // automatic | nested
     double      step =
       0.5; // reduction of the allowed overlap per step over the radius
     unsigned int fast_iterations_per_step = 3;
-    unsigned int fast_end_iterations      = 25;
+    unsigned int fast_end_iterations      = 70;
   };
 
   struct RelaxParameters
@@ -117,8 +117,9 @@ namespace fiberloom
     double largest_move =
       0.5; // per Newton iteration, over the radius; 0: unlimited
     unsigned int largest_contact_passes    = 12;
-    unsigned int largest_normal_passes     = 6;
+    unsigned int largest_normal_passes     = 15;
     unsigned int largest_newton_iterations = 40;
+    double       damping = 1e-3; // of the one-loop tangent, over E r
     unsigned int line_search_from          = 5;
     double       growth                    = 1.3;
     unsigned int largest_cuts              = 8;

@@ -52,11 +52,18 @@ namespace fiberloom
                       const std::vector<BodyTarget> &targets,
                       std::vector<ContactElement>   &contacts);
 
-    /** Of fibers, contacts and dead loads [N mm], summed over the ranks. */
+    /** Of fibers and contacts [N mm], summed over the ranks. */
     double
     energy(const State                       &state,
-           const std::vector<BodyTarget>     &targets,
            const std::vector<ContactElement> &contacts) const;
+
+    /**
+     * Work of the dead loads over @p increment [N mm]; that of a moment, which
+     * has no potential, to first order.
+     */
+    double
+    load_work(const std::vector<BodyTarget> &targets,
+              const Eigen::VectorXd         &increment) const;
 
     /** Largest unbalanced force over the free dofs [N]. */
     double

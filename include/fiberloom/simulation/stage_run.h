@@ -22,7 +22,7 @@ namespace fiberloom
   class StageRun
   {
   public:
-    /** @p stop_requested is asked after each accepted increment. */
+    /** @p stop_requested is asked before each Newton iteration. */
     StageRun(const Scene          &scene,
              const Stage          &stage,
              const std::string    &name,

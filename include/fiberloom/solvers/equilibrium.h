@@ -13,7 +13,6 @@
 #include <fiberloom/solvers/linear_solver.h>
 
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace fiberloom
@@ -31,13 +30,16 @@ namespace fiberloom
   class Equilibrium
   {
   public:
-    /** References are kept. @p report receives lines for the log. */
+    /**
+     * References are kept. @p watch is called before each Newton iteration
+     * and may throw.
+     */
     Equilibrium(const FiberMesh                          &mesh,
                 const Parameters                         &parameters,
                 ContactGenerator                         &generator,
                 System                                   &system,
                 StageStatistics                          &statistics,
-                std::function<void(const std::string &)>  report);
+                std::function<void()>                     watch);
 
     /** What an increment is asked to satisfy. */
     struct Problem
@@ -47,23 +49,32 @@ namespace fiberloom
       ContactRule             rule;
     };
 
-    /** Moves @p state to equilibrium; false, with @p state spoilt, if it cannot. */
+    /**
+     * Moves @p state to equilibrium by the nested loops or, where a loop on
+     * normals does not contract, by solve_in_one_loop(). False, with @p state
+     * spoilt, if neither does it.
+     */
     bool
     solve(State &state, const Problem &problem);
 
     /**
-     * As solve() without friction in one loop: contacts and normals are
-     * generated anew in every Newton iteration, at most @p largest_iterations
-     * of them.
+     * As solve(), but contacts and normals are generated anew in every Newton
+     * iteration, whose tangent gets a diagonal of @p damping over E r: the
+     * frozen normals of a tangent hide that slender fibers in a tow are
+     * unstable sideways, and without it they are thrown far.
      */
     bool
     solve_in_one_loop(State             &state,
                       const Problem     &problem,
-                      const unsigned int largest_iterations);
+                      const unsigned int largest_iterations,
+                      const double       damping);
 
     /** @p n iterations of that loop, converged or not. */
     void
-    iterate(State &state, const Problem &problem, const unsigned int n);
+    iterate(State             &state,
+            const Problem     &problem,
+            const unsigned int n,
+            const double       damping);
 
     /** Whether @p state satisfies the criterion as it is. */
     bool
@@ -123,6 +134,12 @@ namespace fiberloom
                  const double           factor) const;
 
     bool
+    solve_nested(State &state, const Problem &problem);
+
+    bool
+    needs_stiffening() const;
+
+    void
     adapt_stiffness(State &state) const;
 
     double
@@ -137,10 +154,10 @@ namespace fiberloom
     System                                  &system;
     LinearSolver                             linear_solver;
     StageStatistics                         &statistics;
-    std::function<void(const std::string &)> report;
+    std::function<void()>                    watch;
     std::vector<ContactElement>              contact_elements;
-    double                                   damping = 0; // over E r
-    double                                   last_factor = 1;
+    double                                   damping     = 0; // over E r
+    double                                   last_factor = 1; // of a Newton step
   };
 } // namespace fiberloom
 

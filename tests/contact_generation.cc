@@ -1,0 +1,479 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+// Where contact elements are put, with which normals, and what zones remember;
+// each check names what would go wrong otherwise. Radii are 1.
+
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/fabric/fabric_parameters.h>
+#include <fiberloom/fabric/superimposition.h>
+
+#include <fiberloom/contact/contact_generator.h>
+#include <fiberloom/contact/contact_law.h>
+
+#include <fstream>
+
+#include "checks.h"
+#include "sample_fibers.h"
+
+using namespace fiberloom;
+
+namespace
+{
+  const ContactRule standard;
+
+  ContactParameters
+  contact_parameters()
+  {
+    ContactParameters parameters;
+    parameters.largest_penetration  = .02;
+    parameters.stations_per_element = 2;
+    return parameters;
+  }
+
+  /** Fibers with all that generation refers to. */
+  struct Model
+  {
+    const FiberSet          fibers;
+    const FiberMesh         mesh;
+    const ContactParameters parameters = contact_parameters();
+    ContactGenerator        generator;
+    DofVector               q;
+    ContactState            state;
+
+    explicit Model(const std::vector<Fiber> &list)
+      : Model(loose_fibers(list))
+    {}
+
+    explicit Model(const FiberSet &set)
+      : fibers(set)
+      , mesh(fibers)
+      , generator(fibers, mesh, parameters)
+      , q(mesh.reference())
+    {}
+
+    std::vector<ContactElement>
+    generate(const ContactRule &rule = standard)
+    {
+      return generator.generate(q, q, rule, state);
+    }
+
+    void
+    shift(const unsigned int fiber, const Vector3 &by)
+    {
+      const auto &line = mesh.lines()[fiber];
+      for (unsigned int n = 0; n < line.n_nodes(); ++n)
+        q.segment<3>(9 * (line.first_node + n)) += by;
+    }
+
+    double
+    u(const ContactElement &contact, const unsigned int side) const
+    {
+      return mesh.parameter(contact.points[side]);
+    }
+  };
+
+  Fiber
+  along_x(const double z = 0)
+  {
+    return straight_fiber({-20, 0, z}, {20, 0, z}, 4);
+  }
+
+  void
+  check_crossing(Checks &checks)
+  {
+    Model model({along_x(), straight_fiber({3, -20, 1.9}, {3, 20, 1.9}, 4)});
+    auto  contacts = model.generate();
+    checks.equal("crossing: contacts", contacts.size(), 1);
+    checks.equal("crossing: on the first", model.u(contacts[0], 0), 2.3);
+    checks.equal("crossing: on the second", model.u(contacts[0], 1), 2);
+    checks.equal("crossing: normal", -contacts[0].normal.z(), 1);
+    checks.equal("crossing: gap", contacts[0].gap, -.1);
+
+    // A direction from centre to centre would turn by the slide over 1.9.
+    model.shift(1, {.5, 0, 0});
+    model.generator.update(contacts, model.q, model.q, standard, model.state);
+    checks.below("normal does not turn as fibers slide",
+                 contacts[0].normal.cross(Vector3::UnitZ()).norm(),
+                 1e-12);
+    checks.equal("nor does the gap open", contacts[0].gap, -.1);
+
+    // Pushed through each other the fibers still know their sides.
+    model.shift(1, {0, 0, -2.2});
+    contacts = model.generate();
+    checks.equal("the side is kept", -contacts[0].normal.z(), 1);
+    checks.equal("with the whole penetration", contacts[0].gap, -2.3);
+    model.state = ContactState();
+    checks.equal("without history it is lost",
+                 model.generate()[0].normal.z(),
+                 1);
+  }
+
+  void
+  check_parallel(Checks &checks)
+  {
+    Model model({along_x(), along_x(1.95)});
+    model.shift(1, {.37, 0, 0});
+    const auto contacts = model.generate();
+    checks.equal("parallel: contacts", contacts.size(), 8);
+    checks.equal("parallel: zones", model.state.zones.size(), 1);
+    model.shift(1, {.8, 0, 0});
+    const auto after = model.generate();
+    double     wrong = 0;
+    for (unsigned int k = 0; k < 8; ++k)
+      wrong =
+        std::max({wrong,
+                  std::abs(model.u(contacts[k], 0) - (k + .5) / 2),
+                  std::abs(model.u(contacts[k], 1) - ((k + .5) / 2 - .037)),
+                  std::abs(model.u(after[k], 0) - (k + .5) / 2),
+                  std::abs(model.u(after[k], 1) - ((k + .5) / 2 - .117)),
+                  std::abs(after[k].normal.z() + 1)});
+    checks.below("stations stay on the first fiber as the second slides",
+                 wrong,
+                 1e-9);
+  }
+
+  /** The second fiber at an angle to the first, above its middle. */
+  void
+  set_angle(Model &model, const double cosine)
+  {
+    const Vector3 along(cosine, std::sqrt(1 - cosine * cosine), 0);
+    const auto   &line = model.mesh.lines()[1];
+    for (unsigned int n = 0; n < line.n_nodes(); ++n)
+      model.q.segment<9>(9 * (line.first_node + n))
+        << (5. * n - 20) * along + Vector3(0, 0, 1.9),
+        Vector3::UnitZ(), along.cross(Vector3::UnitZ());
+  }
+
+  void
+  check_hysteresis(Checks &checks)
+  {
+    Model model({along_x(), along_x(1.9)});
+    const std::array<std::pair<double, bool>, 6> path{{{.5, true},
+                                                       {.92, true},
+                                                       {.96, false},
+                                                       {.88, false},
+                                                       {.84, true},
+                                                       {.92, true}}};
+    for (const auto &[cosine, crossing] : path)
+      {
+        set_angle(model, cosine);
+        const auto contacts = model.generate();
+        checks.that("class at " + std::to_string(cosine) + " with history",
+                    model.state.zones.size() == 1 &&
+                      model.state.zones[0].crossing == crossing &&
+                      (contacts.size() == 1) == crossing);
+      }
+    for (const auto &[cosine, crossing] :
+         {std::make_pair(.92, false), std::make_pair(.88, true)})
+      {
+        model.state = ContactState();
+        set_angle(model, cosine);
+        model.generate();
+        checks.that("class at " + std::to_string(cosine) + " without",
+                    model.state.zones[0].crossing == crossing);
+      }
+  }
+
+  /** The wavy fiber's point nearest to @p point by its centre line alone. */
+  double
+  nearest_on_line(const Model &model, const Vector3 &point, const double around)
+  {
+    double nearest = 0, least = 1e9;
+    for (double u = around - .5; u < around + .5; u += 2e-4)
+      {
+        const double distance =
+          (model.mesh.section(model.q, model.mesh.locate(0, u)).center - point)
+            .squaredNorm();
+        if (distance < least)
+          {
+            least   = distance;
+            nearest = u;
+          }
+      }
+    return nearest;
+  }
+
+  /**
+   * The centre line is only continuous: over an element's end its nearest
+   * point hops, or waits there. The section's tangent has no kink.
+   */
+  void
+  check_kinks(Checks &checks)
+  {
+    const auto wave = [](const double t) {
+      return Vector3(60 * t, 0, 2.5 * std::sin(4 * M_PI * t));
+    };
+    double kink = 0;
+    for (const double side : {1., -1.})
+      {
+        // Four elements a wave length: node 6 is an element end, without slope.
+        Model        model({curved_fiber(wave, 8, Vector3::UnitY()),
+                            straight_fiber({0, -20, 0}, {0, 20, 0}, 4)});
+        const double end = 3, x = 60 * end / 8;
+        const auto   tangent = [&](const double u) {
+          return model.mesh.section(model.q, model.mesh.locate(0, u))
+            .center_derivative.normalized();
+        };
+        kink =
+          std::max(kink, tangent(end - 1e-9).cross(tangent(end + 1e-9)).norm());
+
+        double before = -1, before_on_line = -1;
+        double largest = 0, least = 1e9, largest_on_line = 0,
+               least_on_line = 1e9;
+        const double step    = .05;
+        model.shift(1, Vector3(x - 1, 0, wave(end / 8).z() + 1.9 * side));
+        const Vector3 start =
+          model.q.segment<3>(9 * (model.mesh.lines()[1].first_node + 4));
+        for (unsigned int i = 0; i <= 40; ++i)
+          {
+            const auto contacts = model.generate();
+            if (contacts.size() != 1)
+              {
+                checks.that("one contact on the wavy fiber", false);
+                return;
+              }
+            const double u = model.u(contacts[0], 0);
+            const double on_line =
+              nearest_on_line(model, start + Vector3(i * step, 0, 0), end);
+            if (i > 0)
+              {
+                largest = std::max(largest, u - before);
+                least   = std::min(least, u - before);
+                largest_on_line =
+                  std::max(largest_on_line, on_line - before_on_line);
+                least_on_line =
+                  std::min(least_on_line, on_line - before_on_line);
+              }
+            before         = u;
+            before_on_line = on_line;
+            model.shift(1, Vector3(step, 0, 0));
+          }
+        std::cout << "per step of motion, sections " << least * 7.5 / step
+                  << " to " << largest * 7.5 / step << ", line "
+                  << least_on_line * 7.5 / step << " to "
+                  << largest_on_line * 7.5 / step << std::endl;
+        const std::string name = side > 0 ? "above" : "below";
+        checks.below("closest point, largest over mean step, " + name,
+                     largest * 7.5 / step,
+                     1.6);
+        checks.above("least over mean step, " + name, least * 7.5 / step, .5);
+        checks.that("by the centre line it hops or waits, " + name,
+                    largest_on_line * 7.5 / step > 2 ||
+                      least_on_line * 7.5 / step < .1);
+      }
+    checks.above("kink of the centre line", kink, .05);
+  }
+
+  void
+  check_self_contact(Checks &checks)
+  {
+    const auto helix = [](const double t) {
+      const double angle = 4 * M_PI * t;
+      return Vector3(10 * std::cos(angle), 10 * std::sin(angle), 3.9 * t);
+    };
+    Model      loop({curved_fiber(helix, 24, Vector3::UnitZ())});
+    double     wrong    = 0;
+    const auto contacts = loop.generate();
+    for (const ContactElement &contact : contacts)
+      wrong = std::max({wrong,
+                        std::abs(loop.u(contact, 1) - loop.u(contact, 0) - 12),
+                        std::abs(std::abs(contact.normal.z()) - 1)});
+    checks.equal("two turns: contacts of the fiber with itself",
+                 contacts.size(),
+                 24);
+    checks.below("one turn apart, above each other", wrong, .02);
+
+    Model alone({along_x()});
+    checks.equal("straight fiber: contacts", alone.generate().size(), 0);
+  }
+
+  void
+  check_inheritance(Checks &checks)
+  {
+    Model      model({along_x(), along_x(1.95)});
+    const auto lift_middle = [&](const double height) {
+      const auto &line = model.mesh.lines()[1];
+      for (unsigned int n = 3; n <= 5; ++n)
+        model.q[9 * (line.first_node + n) + 2] = 1.95 + height;
+    };
+    model.generate();
+    checks.equal("stiffness at first, over E r",
+                 model.state.zones[0].stiffness,
+                 model.parameters.initial_stiffness);
+    model.state.zones[0].stiffness = 7;
+    lift_middle(4);
+    auto contacts = model.generate();
+    checks.equal("zones after a split", model.state.zones.size(), 2);
+    double wrong = 0;
+    for (const ContactElement &contact : contacts)
+      wrong = std::max(wrong, std::abs(contact.stiffness - 7));
+    checks.below("each inherits the stiffness", wrong, 1e-12);
+
+    model.state.zones[0].stiffness = 9;
+    lift_middle(0);
+    contacts = model.generate();
+    checks.equal("zones after the merge", model.state.zones.size(), 1);
+    checks.equal("the larger stiffness stays", contacts[3].stiffness, 9);
+    contacts = model.generate();
+    checks.equal("and stays", contacts[3].stiffness, 9);
+  }
+
+  /** Reversible slip goes to the station nearby, on its new tangent plane. */
+  void
+  check_history(Checks &checks)
+  {
+    Model model({along_x(), straight_fiber({3, -20, 1.9}, {3, 20, 1.9}, 4)});
+    const DofVector before = model.q;
+    model.shift(1, {.01, 0, 0});
+    ContactRule friction = standard;
+    friction.friction    = true;
+    for (const double away : {.1, .6})
+      {
+        model.state.history = {
+          {{{0, 1}}, {{2.3 + away, 2}}, Vector3(.03, .02, .01)}};
+        const auto contact =
+          model.generator.generate(model.q, before, friction, model.state)
+            .at(0);
+        const Vector3 expected(away < .5 ? .03 : 0, away < .5 ? .02 : 0, 0);
+        checks.below("slip inherited from " + std::to_string(away) +
+                       " elements away",
+                     (contact.slip_before - expected).norm(),
+                     1e-12);
+        checks.equal("limit over force",
+                     contact.friction_limit / contact.normal_force,
+                     model.parameters.friction_coefficient);
+        const Vector3 slip =
+          particle_separation(contact, section_pair(contact, model.q)) -
+          contact.separation_before;
+        checks.below("slip of the increment",
+                     (slip - Vector3(-.01, 0, 0)).norm(),
+                     1e-12);
+      }
+  }
+
+  /** Of warp and fill each, of radius 1 at a pitch of 30. */
+  FiberSet
+  flat_fabric(const unsigned int n_tows, const unsigned int n_fibers)
+  {
+    Parameters parameters;
+    for (TowParameters *tows :
+         {&parameters.fabric.warp, &parameters.fabric.fill})
+      {
+        tows->tows         = n_tows;
+        tows->fibers       = n_fibers;
+        tows->fiber_radius = 1;
+        tows->tow_spacing  = 30;
+      }
+    parameters.resolve();
+    resolve_fabric(parameters);
+    return build_fabric(parameters);
+  }
+
+  int
+  order(const Model &model, const ContactElement &contact)
+  {
+    return superimposition(model.fibers, contact.fibers[0], contact.fibers[1]);
+  }
+
+  /**
+   * Tows of a flat fabric overlap wholly: by distance one could tell neither
+   * which fibers meet nor on which side.
+   */
+  void
+  check_weaving(Checks &checks)
+  {
+    Model       model(flat_fabric(2, 3));
+    ContactRule vertical;
+    vertical.vertical        = true;
+    vertical.allowed_overlap = .05;
+
+    unsigned int n_woven = 0, n_others = 0;
+    double       wrong = 0;
+    for (const ContactElement &contact : model.generate(vertical))
+      {
+        if (order(model, contact) == 0)
+          {
+            ++n_others;
+            continue;
+          }
+        ++n_woven;
+        const Vector3 apart =
+          model.mesh.section(model.q, contact.points[0]).center -
+          model.mesh.section(model.q, contact.points[1]).center;
+        wrong = std::max(
+          {wrong,
+           apart.head<2>().norm(),
+           (contact.normal - order(model, contact) * Vector3::UnitZ()).norm(),
+           std::abs(contact.gap - (contact.normal.dot(apart) - 2 + .05))});
+      }
+    checks.equal("woven: each pair of crossing fibers meets", n_woven, 36);
+    checks.above("woven: fibers of a tow meet, too", n_others, 1);
+    checks.below("woven: at their crossing, in the order of the weave",
+                 wrong,
+                 1e-9);
+
+    for (unsigned int f = 0; f < model.fibers.fibers.size(); ++f)
+      if (model.fibers.tows[model.fibers.fibers[f].tow].family ==
+          Tow::Family::warp)
+        model.shift(f, {0, 0, 9});
+    checks.equal("woven: out of order with the warp above all",
+                 model.generator.crossings_out_of_order(model.q),
+                 18);
+  }
+
+  /**
+   * Between inclined fibers a vertical gap of two radii is a penetration along
+   * their common normal: offsets have to keep the force continuous.
+   */
+  void
+  check_change_of_normals(Checks &checks)
+  {
+    Model       model(flat_fabric(1, 1));
+    const int   side = superimposition(model.fibers, 0, 1);
+    const auto &line = model.mesh.lines()[0];
+    for (unsigned int n = 0; n < line.n_nodes(); ++n)
+      {
+        auto node            = model.q.segment<9>(9 * (line.first_node + n));
+        node[2]              = 1.85 * side + .4 * node[0];
+        const Vector3 across = node.segment<3>(3);
+        node.segment<3>(6)   = Vector3(1, 0, .4).normalized().cross(across);
+      }
+
+    ContactRule vertical;
+    vertical.vertical   = true;
+    const auto   before = model.generate(vertical);
+    const double cosine = 1 / std::sqrt(1.16);
+    const double gap    = 1.85 - 1 - cosine; // the warp's section leans
+    checks.equal("vertical gap of inclined fibers", before.at(0).gap, gap);
+    model.generator.absorb_overlap(before, model.q, model.state);
+
+    ContactRule with_offsets   = standard;
+    with_offsets.offset_factor = 1;
+    ContactState state         = model.state;
+    checks.equal("gap along the true normal, offset",
+                 model.generate(with_offsets).at(0).gap,
+                 gap);
+    model.state = state;
+    checks.equal("and as it is",
+                 model.generate(standard).at(0).gap,
+                 1.85 * cosine - 2);
+  }
+} // namespace
+
+int
+main()
+{
+  std::ofstream output("output");
+  Checks        checks(output);
+  check_crossing(checks);
+  check_parallel(checks);
+  check_hysteresis(checks);
+  check_kinks(checks);
+  check_self_contact(checks);
+  check_inheritance(checks);
+  check_history(checks);
+  check_weaving(checks);
+  check_change_of_normals(checks);
+}

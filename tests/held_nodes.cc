@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+// The system of equations with nodes held by rigid bodies that have turned far:
+// its residual is the slope of the energy along its unknowns, its matrix the
+// slope of the residual, held nodes keep what is held, and the reactions of the
+// bodies balance the forces on the nodes.
+
+#include <deal.II/base/mpi.h>
+
+#include <Epetra_Vector.h>
+
+#include <fstream>
+
+#include "checks.h"
+#include "sample_model.h"
+
+using namespace fiberloom;
+
+namespace
+{
+  /** Turns both bodies by more than a quarter and disturbs all else. */
+  void
+  move_far(SampleModel &model, const System &system)
+  {
+    std::srand(3);
+    const unsigned int n = system.layout().n_dofs();
+    for (unsigned int step = 0; step < 3; ++step)
+      {
+        Eigen::VectorXd increment = .1 * Eigen::VectorXd::Random(n);
+        for (const auto &attachment : model.supports.attachments)
+          for (unsigned int k = 0; k < 9; ++k)
+            if (attachment.held[k])
+              increment[9 * attachment.node + k] = 0;
+        for (unsigned int b = 0; b < 2; ++b)
+          {
+            const unsigned int first =
+              system.layout().first_dof(system.layout().body_block(b));
+            increment.segment<6>(first) << .3, -.2, .4, .7, .4 * b, -.5;
+          }
+        system.advance(model.state, increment, 1);
+      }
+    for (unsigned int b = 0; b < 2; ++b)
+      model.targets[b].placement = model.state.placements[b];
+  }
+
+  /** Components along the frames of what the bodies hold. */
+  std::vector<double>
+  held_components(const SampleModel &model)
+  {
+    std::vector<double> values;
+    for (const auto &attachment : model.supports.attachments)
+      {
+        const Placement &body = model.state.placements[attachment.body];
+        const Matrix3    frame =
+          body.rotation.toRotationMatrix() * attachment.frame;
+        for (unsigned int k = 0; k < 9; ++k)
+          if (attachment.held[k])
+            {
+              Vector3 v =
+                model.state.q.segment<3>(9 * attachment.node + k / 3 * 3);
+              if (k < 3)
+                v -= body.position;
+              values.push_back(frame.col(k % 3).dot(v));
+            }
+      }
+    return values;
+  }
+
+  class Differences
+  {
+  public:
+    Differences(SampleModel &model, System &system)
+      : model(model)
+      , system(system)
+      , n(system.layout().n_dofs())
+      , is_free(n, true)
+    {
+      for (const auto &attachment : model.supports.attachments)
+        for (unsigned int k = 0; k < 9; ++k)
+          if (attachment.held[k])
+            is_free[9 * attachment.node + k] = false;
+      for (unsigned int b = 0; b < 2; ++b)
+        for (unsigned int k = 0; k < 6; ++k)
+          if (model.supports.bodies[b].prescribed[k])
+            is_free[system.layout().first_dof(system.layout().body_block(b)) +
+                    k] = false;
+    }
+
+    /** The residual of free dofs, 0 elsewhere. */
+    Eigen::VectorXd
+    residual(const State &state)
+    {
+      auto contacts = model.contacts;
+      auto targets  = model.targets;
+      for (unsigned int b = 0; b < 2; ++b)
+        targets[b].placement = state.placements[b];
+      system.assemble(state, targets, contacts);
+      return -Eigen::Map<const Eigen::VectorXd>(system.right_hand_side().data(),
+                                                n);
+    }
+
+    Eigen::MatrixXd
+    matrix()
+    {
+      residual(model.state);
+      Eigen::MatrixXd  K(n, n);
+      const Epetra_Map map = system.matrix().OperatorDomainMap();
+      Epetra_Vector    x(map), y(map);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          x.PutScalar(0);
+          x[i] = is_free[i];
+          system.matrix().Apply(x, y);
+          K.col(i) = Eigen::Map<Eigen::VectorXd>(y.Values(), n);
+        }
+      return K;
+    }
+
+    State
+    moved(const unsigned int dof, const double by) const
+    {
+      State state = model.state;
+      system.advance(state, Eigen::VectorXd::Unit(n, dof), by);
+      return state;
+    }
+
+    Eigen::VectorXd
+    energy_slope() const
+    {
+      Eigen::VectorXd slope = Eigen::VectorXd::Zero(n);
+      for (unsigned int i = 0; i < n; ++i)
+        if (is_free[i])
+          slope[i] =
+            (system.energy(moved(i, h), model.targets, model.contacts) -
+             system.energy(moved(i, -h), model.targets, model.contacts)) /
+            (2 * h);
+      return slope;
+    }
+
+    /**
+     * Symmetric part. The rotation vectors of the residual start anew at each
+     * placement, which adds to its slope half the cross product with the
+     * moment: antisymmetric, and zero in equilibrium.
+     */
+    Eigen::MatrixXd
+    residual_slope()
+    {
+      Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+        if (is_free[i])
+          slope.col(i) =
+            (residual(moved(i, h)) - residual(moved(i, -h))) / (2 * h);
+      return .5 * (slope + slope.transpose());
+    }
+
+  private:
+    static constexpr double h = 1e-5;
+
+    SampleModel       &model;
+    System            &system;
+    const unsigned int n;
+    std::vector<bool>  is_free;
+  };
+
+  /** Bodies' reactions and the forces on the nodes that are not held. */
+  void
+  check_reactions(Checks            &checks,
+                  const SampleModel &model,
+                  const System      &system)
+  {
+    Vector3     force = Vector3::Zero(), moment = Vector3::Zero();
+    double      scale = 0;
+    const auto &rhs   = system.right_hand_side();
+    for (unsigned int n = 0; n < model.mesh.n_nodes(); ++n)
+      {
+        bool held = false;
+        for (const auto &attachment : model.supports.attachments)
+          held |= attachment.node == n;
+        if (held)
+          continue;
+        for (unsigned int v = 0; v < 3; ++v)
+          {
+            const Eigen::Map<const Vector3> f(rhs.data() + 9 * n + 3 * v);
+            const Vector3 x = model.state.q.segment<3>(9 * n + 3 * v);
+            if (v == 0)
+              force -= f;
+            moment -= x.cross(f);
+            scale = std::max(scale, f.norm());
+          }
+      }
+    for (unsigned int b = 0; b < 2; ++b)
+      {
+        const Vector3 f = system.reactions()[b].head<3>();
+        force += f;
+        moment += model.state.placements[b].position.cross(f) +
+                  Vector3(system.reactions()[b].tail<3>());
+        checks.above("reaction of body " + std::to_string(b) +
+                       " over the forces",
+                     f.norm() / scale,
+                     .1);
+      }
+    checks.below("forces balance", force.norm() / scale, 1e-10);
+    checks.below("moments balance", moment.norm() / scale, 1e-10);
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  std::ofstream                            output("output");
+  Checks                                   checks(output);
+
+  SampleModel model;
+  System      system(model.mesh, model.supports, MPI_COMM_WORLD);
+  const auto  before = held_components(model);
+  move_far(model, system);
+  const auto after = held_components(model);
+  double     slip  = 0;
+  for (unsigned int i = 0; i < before.size(); ++i)
+    slip = std::max(slip, std::abs(after[i] - before[i]));
+  checks.equal("held dofs", before.size(), 7 + 7 + 4 + 5 + 1 + 3);
+  checks.below("held dofs move with their bodies", slip, 1e-12);
+  for (const Placement &placement : model.state.placements)
+    checks.above("body turned by",
+                 placement.rotation.angularDistance(
+                   Eigen::Quaterniond::Identity()),
+                 1.5);
+
+  system.reinit({});
+  Differences differences(model, system);
+  differences.residual(model.state);
+  check_reactions(checks, model, system);
+
+  // Contact acts at elements with held nodes; friction moves bodies, too.
+  model.add_contacts(.1, .01);
+  system.reinit(model.contacts);
+  const Eigen::VectorXd residual = differences.residual(model.state);
+  checks.below("residual against energy",
+               relative_error(residual, differences.energy_slope()),
+               1e-7);
+  const Eigen::MatrixXd K = differences.matrix();
+  checks.below("symmetry of the matrix",
+               relative_error(K, K.transpose()),
+               1e-12);
+  checks.below("matrix against residual",
+               relative_error(K, differences.residual_slope()),
+               1e-6);
+}

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+// The Krylov method around a factor in single precision finds what the one in
+// double precision finds; an indefinite matrix, that of a fiber compressed
+// beyond buckling, is noticed and gets a shift that makes the step a descent.
+
+#include <fiberloom/solvers/linear_solver.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <Epetra_Vector.h>
+
+#include <fstream>
+
+#include "checks.h"
+#include "sample_model.h"
+
+using namespace fiberloom;
+
+namespace
+{
+  using Outcome = LinearSolver::Outcome;
+
+  Eigen::VectorXd
+  solve(System            &system,
+        const std::string &precision,
+        const double       shift_unit,
+        Outcome           &outcome)
+  {
+    std::vector<double> solution;
+    LinearSolver        solver(system.layout(), precision);
+    outcome = solver.solve(
+      system.matrix(), system.right_hand_side(), 0, shift_unit, solution);
+    return system.gather(solution);
+  }
+
+  /** |b - K x| / |b| */
+  double
+  remainder(System &system, const Eigen::VectorXd &solution)
+  {
+    const Epetra_Map map = system.matrix().OperatorDomainMap();
+    Epetra_Vector    x(map), y(map);
+    for (int i = 0; i < x.MyLength(); ++i)
+      x[i] = solution[map.GID(i)];
+    system.matrix().Apply(x, y);
+    const Eigen::VectorXd b = system.gather(system.right_hand_side());
+    const Eigen::VectorXd product =
+      system.gather(std::vector<double>(y.Values(), y.Values() + y.MyLength()));
+    return (b - product).norm() / b.norm();
+  }
+
+  void
+  check_precision(Checks &checks)
+  {
+    SampleModel model(4);
+    model.supports.bodies[1].prescribed.set();
+    System system(model.mesh, model.supports, MPI_COMM_WORLD);
+    std::srand(5);
+    system.advance(model.state,
+                   .001 * Eigen::VectorXd::Random(system.layout().n_dofs()),
+                   1);
+    model.add_contacts(.02, .001);
+    for (const double x : {0., .3})
+      {
+        // The second time other contacts, and so another pattern.
+        if (x > 0)
+          model.contacts.erase(model.contacts.begin());
+        system.reinit(model.contacts);
+        system.assemble(model.state, model.targets, model.contacts);
+        Outcome               with_double, with_single;
+        const double          unit = 1e-3;
+        const Eigen::VectorXd exact =
+          solve(system, "double", unit, with_double);
+        const Eigen::VectorXd found =
+          solve(system, "single", unit, with_single);
+        checks.equal("shift", with_double.shift + with_single.shift, 0);
+        checks.below("remainder, double", remainder(system, exact), 1e-8);
+        checks.below("remainder, single", remainder(system, found), 1e-8);
+        checks.below("single against double",
+                     relative_error(found, exact),
+                     1e-8);
+        checks.below("iterations, double", with_double.iterations, 3);
+        checks.above("iterations, single", with_single.iterations, 1);
+        checks.below("iterations, single", with_single.iterations, 8);
+      }
+  }
+
+  /** A clamped fiber, shortened by @p strain , under a small load across. */
+  void
+  check_buckling(Checks &checks)
+  {
+    const double    L = 60;
+    const FiberMesh mesh(
+      loose_fibers({straight_fiber({0, 0, 0}, {L, 0, 0}, 6, 0.)}));
+    Supports supports;
+    supports.bodies.resize(2);
+    supports.attachments = {attach(mesh.reference(), 0, 0, Hold::clamped),
+                            attach(mesh.reference(), 12, 1, Hold::clamped)};
+    System system(mesh, supports, MPI_COMM_WORLD);
+    system.reinit({});
+
+    // Euler's load of a beam clamped twice, 4 pi^2 EI / L^2, as a strain.
+    const double euler = M_PI * M_PI / (L * L);
+    for (const double part : {.8, 1.2, 30.})
+      {
+        State state;
+        state.q = mesh.reference();
+        state.placements.resize(2);
+        std::vector<BodyTarget> targets(2);
+        for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+          {
+            state.q[9 * n] *= 1 - part * euler;
+            state.q[9 * n + 2] += n * (12. - n) * 1e-5;
+          }
+        state.placements[1].position.x() = L * (1 - part * euler);
+        targets[1].placement             = state.placements[1];
+
+        std::vector<ContactElement> none;
+        system.assemble(state, targets, none);
+        Outcome               outcome;
+        const Eigen::VectorXd step = solve(system, "double", 1e-7, outcome);
+        const Eigen::VectorXd down = system.gather(system.right_hand_side());
+        const std::string     name =
+          "compressed to " + std::to_string(part) + " times Euler's load";
+        checks.that(name + ", shifted: " + (part > 1 ? "yes" : "no"),
+                    (outcome.shift > 0) == (part > 1));
+        checks.above(name + ", slope along the step",
+                     step.dot(down) / (step.norm() * down.norm()),
+                     1e-6);
+        checks.that(name + ", factorised more than once: " +
+                      (part > 1 ? "yes" : "no"),
+                    (outcome.factorizations > 1) == (part > 1));
+      }
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  std::ofstream                            output;
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    output.open("output");
+  Checks checks(output);
+  check_precision(checks);
+  check_buckling(checks);
+}
