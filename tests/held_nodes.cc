@@ -132,9 +132,10 @@ namespace
       for (unsigned int i = 0; i < n; ++i)
         if (is_free[i])
           slope[i] =
-            (system.energy(moved(i, h), model.targets, model.contacts) -
-             system.energy(moved(i, -h), model.targets, model.contacts)) /
-            (2 * h);
+            (system.energy(moved(i, h), model.contacts) -
+             system.energy(moved(i, -h), model.contacts)) /
+              (2 * h) -
+            system.load_work(model.targets, Eigen::VectorXd::Unit(n, i));
       return slope;
     }
 

@@ -32,15 +32,23 @@ main()
                {{"energy[N.mm]", std::numeric_limits<double>::quiet_NaN()}});
   out << curve.str() << "\n";
 
-  LoadingCurve continued;
-  continued.continue_from(curve.str(), 1, 1);
+  const std::vector<std::string> stages = {"relax", "biaxial", "relax"};
+  LoadingCurve                   continued;
+  continued.continue_from(curve.str(), stages, 1, 1);
   continued.append(
     1, "biaxial", 2, .2, {{"strain_warp", .004}, {"force_fill[N]", 7}});
   out << continued.str() << "\n";
   out << "same text when nothing is dropped ";
   LoadingCurve same;
-  same.continue_from(curve.str(), 2, 1);
+  same.continue_from(curve.str(), stages, 2, 1);
   out << (same.str() == curve.str()) << "\n";
+
+  // A run that went on in a fresh directory has no rows of the stages before.
+  LoadingCurve fresh, again;
+  fresh.append(1, "biaxial", 1, .1, {{"force_warp[N]", 4}});
+  fresh.append(1, "biaxial", 2, .2, {{"force_warp[N]", 5}});
+  again.continue_from(fresh.str(), stages, 1, 1);
+  out << "rows of a file that begins late " << again.loads(1).size() << "\n";
 
   const std::string picture = curve_picture(curve, 1);
   out << "picture names the force "
@@ -50,7 +58,7 @@ main()
 
   try
     {
-      continued.continue_from("time,force\n1,2\n", 1, 1);
+      continued.continue_from("time,force\n1,2\n", stages, 1, 1);
     }
   catch (const InputError &error)
     {

@@ -89,7 +89,7 @@ namespace
       {
         const Checkpoint checkpoint =
           read_checkpoint(parameters.output_directory + "/checkpoint",
-                          describe_model(mesh),
+                          describe_model(fibers, mesh),
                           MPI_COMM_WORLD);
         state = checkpoint.state;
         writer.continue_from(checkpoint);

@@ -45,7 +45,7 @@ namespace
     system.reinit(model.contacts);
     system.assemble(model.state, model.targets, model.contacts);
 
-    Result result{system.energy(model.state, model.targets, model.contacts),
+    Result result{system.energy(model.state, model.contacts),
                   system.residual_norm(),
                   system.internal_force_scale(),
                   system.reactions(),

@@ -210,6 +210,11 @@ namespace fiberloom
                     "Distance between fiber surfaces up to which contacts are "
                     "made ready, over the fiber radius.",
                     Allowed::above(0));
+      catalogue.add("Self contact",
+                    contact.self_contact,
+                    "Whether parts of one fiber can touch each other; "
+                    "automatic: unless the scene is a fabric.",
+                    Allowed::one_of("automatic|true|false"));
       catalogue.leave_section();
     }
 
@@ -231,11 +236,6 @@ namespace fiberloom
       catalogue.add("Fast iterations per step",
                     weaving.fast_iterations_per_step,
                     "Newton iterations of each step of the fast path.",
-                    Allowed::whole(1, most_iterations));
-      catalogue.add("Fast end iterations",
-                    weaving.fast_end_iterations,
-                    "Newton iterations in which the fast path has to converge "
-                    "at its end.",
                     Allowed::whole(1, most_iterations));
       catalogue.leave_section();
     }
@@ -333,6 +333,11 @@ namespace fiberloom
       catalogue.add("Largest Newton iterations",
                     solver.largest_newton_iterations,
                     "Newton iterations for one update of the normals.",
+                    Allowed::whole(1, most_iterations));
+      catalogue.add("Largest loop iterations",
+                    solver.largest_loop_iterations,
+                    "Newton iterations where contact and normals are updated "
+                    "in every one.",
                     Allowed::whole(1, most_iterations));
       catalogue.add("Damping",
                     solver.damping,

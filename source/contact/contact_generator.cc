@@ -57,7 +57,10 @@ namespace fiberloom
     , parameters(parameters)
     , search(mesh,
              parameters.search_margin * largest_radius(mesh),
-             .5 * largest_radius(mesh))
+             .5 * largest_radius(mesh),
+             // Fibers of a fabric do not fold back on themselves.
+             parameters.self_contact == "true" ||
+               (parameters.self_contact == "automatic" && !fibers.pattern))
     , woven_pairs(find_woven_pairs(fibers))
   {}
 

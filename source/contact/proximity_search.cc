@@ -32,10 +32,12 @@ namespace fiberloom
 
   ProximitySearch::ProximitySearch(const FiberMesh &mesh,
                                    const double     margin,
-                                   const double     skin)
+                                   const double     skin,
+                                   const bool       self_contact)
     : mesh(mesh)
     , margin(margin)
     , skin(skin)
+    , self_contact(self_contact)
   {}
 
 
@@ -43,6 +45,8 @@ namespace fiberloom
   const std::vector<CandidatePair> &
   ProximitySearch::candidates(const DofVector &q)
   {
+    if (!is_needed())
+      return found;
     bool valid = searched_at.size() == q.size();
     for (unsigned int n = 0; valid && n < mesh.n_nodes(); ++n)
       valid = (q.segment<3>(9 * n) - searched_at.segment<3>(9 * n))
@@ -60,9 +64,6 @@ namespace fiberloom
     ++searches;
     searched_at = q;
     found.clear();
-    if (mesh.n_elements() < 2)
-      return;
-
     const auto point = [&](const unsigned int node) {
       return Kernel::Point_3(q[9 * node], q[9 * node + 1], q[9 * node + 2]);
     };
@@ -108,7 +109,7 @@ namespace fiberloom
                 const double apart = (static_cast<double>(other.piece) -
                                       static_cast<double>(piece) - 1) *
                                      line.length / (line.n_nodes() - 1);
-                if (apart < 2 * M_PI * line.radius)
+                if (!self_contact || apart < 2 * M_PI * line.radius)
                   continue;
               }
             found.push_back({{{fiber, other.fiber}}, {{piece, other.piece}}});

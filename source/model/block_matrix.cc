@@ -77,6 +77,20 @@ namespace fiberloom
 
 
 
+  void
+  BlockMatrix::add_to_diagonal(const double value)
+  {
+    for (const unsigned int row : numbering.owned_blocks())
+      {
+        const unsigned int n       = numbering.size(row);
+        double            *entries = block(row, row);
+        for (unsigned int i = 0; i < n; ++i)
+          entries[i * n + i] += value;
+      }
+  }
+
+
+
   double *
   BlockMatrix::block(const unsigned int row, const unsigned int column)
   {

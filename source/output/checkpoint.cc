@@ -109,8 +109,29 @@ namespace fiberloom
 
 
 
+  namespace
+  {
+    /** Over and under of all crossings, one digit each; empty for no fabric. */
+    std::string
+    superimposition_order(const FiberSet &fibers)
+    {
+      std::string order;
+      if (fibers.pattern)
+        for (const Tow &warp : fibers.tows)
+          for (const Tow &fill : fibers.tows)
+            if (warp.family == Tow::Family::warp &&
+                fill.family == Tow::Family::fill)
+              order += fibers.pattern->warp_above(warp.number, fill.number) ?
+                         '1' :
+                         '0';
+      return order;
+    }
+  } // namespace
+
+
+
   std::string
-  describe_model(const FiberMesh &mesh)
+  describe_model(const FiberSet &fibers, const FiberMesh &mesh)
   {
     boost::crc_32_type crc;
     const auto         add = [&crc](const double value, const double unit) {
@@ -119,21 +140,26 @@ namespace fiberloom
       const std::int64_t rounded = std::llround(value / unit + .23);
       crc.process_bytes(&rounded, sizeof(rounded));
     };
-    for (const auto &line : mesh.lines())
+    for (unsigned int f = 0; f < mesh.lines().size(); ++f)
       {
+        const FiberMesh::Line &line = mesh.lines()[f];
         add(line.tow, 1);
         add(line.n_elements, 1);
         add(std::log(line.radius), 1e-6);
         add(std::log(line.young_modulus), 1e-6);
+        add(fibers.fibers[f].poisson_ratio, 1e-6);
         for (unsigned int i = 9 * line.first_node;
              i < 9 * (line.first_node + line.n_nodes());
              ++i)
           add(mesh.reference()[i], 1e-4 * line.radius);
       }
+    const std::string order = superimposition_order(fibers);
+    crc.process_bytes(order.data(), order.size());
 
     std::ostringstream out;
     out << mesh.lines().size() << " fibers, " << mesh.n_nodes()
-        << " nodes, geometry " << std::hex << crc.checksum();
+        << " nodes, geometry, materials and weave " << std::hex
+        << crc.checksum();
     return out.str();
   }
 

@@ -58,16 +58,21 @@ namespace fiberloom
         }
     }
 
-    /** A file counts stages by name only; a repeated stage starts again at 1.
+    /**
+     * A file has the names of stages only, and may begin with a later one; a
+     * repeated stage starts again at 1.
      */
     void
-    number_stages(std::vector<LoadingCurve::Row> &rows)
+    number_stages(std::vector<LoadingCurve::Row> &rows,
+                  const std::vector<std::string> &stages)
     {
       unsigned int index = 0;
       for (std::size_t i = 0; i < rows.size(); ++i)
         {
           if (i > 0 && (rows[i].stage != rows[i - 1].stage ||
                         rows[i].increment <= rows[i - 1].increment))
+            ++index;
+          while (index < stages.size() && stages[index] != rows[i].stage)
             ++index;
           rows[i].stage_index = index;
         }
@@ -104,9 +109,10 @@ namespace fiberloom
 
 
   void
-  LoadingCurve::continue_from(const std::string &text,
-                              const unsigned int stage_index,
-                              const unsigned int increment)
+  LoadingCurve::continue_from(const std::string              &text,
+                              const std::vector<std::string> &stages,
+                              const unsigned int              stage_index,
+                              const unsigned int              increment)
   {
     std::istringstream input(text);
     std::string        line;
@@ -120,7 +126,7 @@ namespace fiberloom
     while (std::getline(input, line))
       if (!line.empty())
         all_rows.push_back(parse_row(line));
-    number_stages(all_rows);
+    number_stages(all_rows, stages);
 
     all_rows.erase(std::remove_if(all_rows.begin(),
                                   all_rows.end(),

@@ -15,6 +15,7 @@
 
 #include <vtkObject.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iomanip>
@@ -65,6 +66,17 @@ namespace fiberloom
       return label.str();
     }
 
+    /** Name of a stage in files; with its number where the name came before. */
+    std::string
+    stage_label(const std::vector<std::string> &stages,
+                const unsigned int              number)
+    {
+      const auto current = stages.begin() + number;
+      return std::find(stages.begin(), current, *current) == current ?
+               *current :
+               *current + "_" + std::to_string(number);
+    }
+
     bool
     is_due(const unsigned int every, const IncrementReport &report)
     {
@@ -85,7 +97,7 @@ namespace fiberloom
     , mesh(mesh)
     , comm(comm)
     , output_seconds(output_seconds)
-    , model_description(describe_model(mesh))
+    , model_description(describe_model(fibers, mesh))
     , fiber_series(parameters.output_directory, "fibers", comm)
     , section_series(parameters.output_directory, "sections", comm)
     , contact_series(parameters.output_directory, "contacts", comm)
@@ -115,6 +127,7 @@ namespace fiberloom
           if (is_first_rank() &&
               std::filesystem::exists(path("loading_curve.csv")))
             curve.continue_from(read_file(path("loading_curve.csv")),
+                                parameters.stages,
                                 state.stage,
                                 state.increment);
         });
@@ -147,7 +160,8 @@ namespace fiberloom
     const SecondsGuard guard(output_seconds);
     if (state.increment > 0)
       return;
-    const std::string label = increment_label(stage, 0);
+    const std::string label =
+      increment_label(stage_label(parameters.stages, state.stage), 0);
     write_slices(state, stage, label);
     if (!fiber_series.has(field_time(state)))
       write_fields(state, {}, label);
@@ -168,14 +182,15 @@ namespace fiberloom
     record(state.stage, entry);
     summary.model.contact_elements = report.contacts.size();
 
+    const std::string label = stage_label(parameters.stages, state.stage);
     write_curve(report);
     if (is_due(parameters.output.fields_every, report))
       write_fields(state,
                    report.contacts,
-                   increment_label(report.stage, state.increment));
+                   increment_label(label, state.increment));
     if (report.last)
       {
-        write_end_of_stage(report);
+        write_end_of_stage(report, label);
         statistics[state.stage].seconds.output += guard.elapsed();
         statistics[state.stage].seconds.wall += guard.elapsed();
         write_summary(state.stage + 1 == parameters.stages.size());
@@ -311,31 +326,32 @@ namespace fiberloom
 
 
   void
-  OutputWriter::write_pictures(const IncrementReport &report)
+  OutputWriter::write_pictures(const IncrementReport &report,
+                               const std::string     &label)
   {
     collectively(comm, [&]() {
       if (!is_first_rank())
         return;
       std::filesystem::create_directories(path("pictures"));
-      write_file(path("pictures/view_" + report.stage + ".png"),
+      write_file(path("pictures/view_" + label + ".png"),
                  weave_picture(fibers, mesh, report.state.q));
       const std::string drawing = curve_picture(curve, report.state.stage);
       if (!drawing.empty())
-        write_file(path("pictures/loading_curve_" + report.stage + ".svg"),
-                   drawing);
+        write_file(path("pictures/loading_curve_" + label + ".svg"), drawing);
     });
   }
 
 
 
   void
-  OutputWriter::write_end_of_stage(const IncrementReport &report)
+  OutputWriter::write_end_of_stage(const IncrementReport &report,
+                                   const std::string     &label)
   {
     write_slices(report.state,
                  report.stage,
-                 increment_label(report.stage, report.state.increment));
+                 increment_label(label, report.state.increment));
     if (parameters.output.pictures)
-      write_pictures(report);
+      write_pictures(report, label);
     collectively(comm, [&]() {
       if (is_first_rank())
         write_file(path("trajectories.csv"),

@@ -10,6 +10,8 @@
 
 #include <boost/format.hpp>
 
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 namespace fiberloom
@@ -46,7 +48,8 @@ namespace fiberloom
   {
     const ModelSize size = model_size();
     // Measured: factor and matrix of a woven fabric grow as dofs^1.13.
-    const double gigabytes = 1.9 * std::pow(size.fiber_dofs / 316008., 1.13) + .3;
+    const double gigabytes =
+      1.9 * std::pow(size.fiber_dofs / 316008., 1.13) + .3;
     if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
       std::cout << "fibers          " << size.fibers << "\nnodes           "
                 << size.nodes << "\nfiber dofs      " << size.fiber_dofs
@@ -65,21 +68,83 @@ namespace fiberloom
     if (command_line.restart.empty())
       return state;
 
-    restart = read_checkpoint(command_line.restart, describe_model(mesh), comm);
+    restart =
+      read_checkpoint(command_line.restart, describe_model(fibers, mesh), comm);
     const State &before = restart.state;
-    // The same list of stages, not yet at its end: an interrupted run.
-    continues = before.scene_stages == parameters.stages &&
-                before.stage < parameters.stages.size();
-    if (continues)
-      return before;
-
     parameters.check_stage_order(before.stages_done);
-    state             = before;
-    state.stage       = 0;
-    state.increment   = 0;
-    state.load        = 0;
-    state.step        = 0;
+    state       = before;
+    state.stage = n_stages_done();
+
+    const auto &stages = parameters.stages;
+    const bool  under_way =
+      state.stage < stages.size() &&
+      before.stage < before.scene_stages.size() &&
+      (state.stage > 0 || before.scene_stages == stages ||
+       before.stages_done.empty()) &&
+      stages[state.stage] == before.scene_stages[before.stage];
+    if (!under_way)
+      {
+        state.increment = 0;
+        state.load      = 0;
+        state.step      = 0;
+      }
+    continues = (state.stage > 0 || under_way) && state.stage == before.stage &&
+                restarts_in_place();
     return state;
+  }
+
+
+
+  unsigned int
+  Simulation::n_stages_done() const
+  {
+    const State &before = restart.state;
+    const auto  &done   = before.stages_done;
+    const auto  &stages = parameters.stages;
+    if (done.size() <= stages.size() &&
+        std::equal(done.begin(), done.end(), stages.begin()))
+      return done.size();
+    // An interrupted run that itself had started from another's state.
+    if (before.scene_stages == stages && before.stage < stages.size())
+      return before.stage;
+    return 0;
+  }
+
+
+
+  bool
+  Simulation::restarts_in_place() const
+  {
+    namespace fs  = std::filesystem;
+    bool in_place = false;
+    if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+      {
+        std::error_code error;
+        in_place =
+          fs::equivalent(fs::absolute(command_line.restart).parent_path(),
+                         parameters.output_directory,
+                         error);
+      }
+    return dealii::Utilities::MPI::broadcast(comm, in_place, 0);
+  }
+
+
+
+  void
+  Simulation::record_stages_before(const State  &state,
+                                   OutputWriter &writer) const
+  {
+    for (unsigned int s = 0; s < state.stage; ++s)
+      {
+        StageStatistics entry;
+        entry.name      = parameters.stages[s];
+        entry.converged = true;
+        // Numbered otherwise, as after runs that each did a part, they are
+        // somebody else's.
+        if (state.stage == restart.state.stage && s < restart.stages.size())
+          entry = restart.stages[s];
+        writer.record(s, entry);
+      }
   }
 
 
@@ -106,7 +171,12 @@ namespace fiberloom
     log.open(parameters.output_directory, continues);
     if (continues)
       writer.continue_from(restart);
+    else
+      record_stages_before(state, writer);
     writer.begin();
+    if (state.stage == parameters.stages.size())
+      log.write("nothing is left to do: " + command_line.restart +
+                " has all stages of this scene behind it");
     log_what_is_left_out();
     const int status = run_stages(state, writer);
     log_timings(writer.stages());
@@ -127,23 +197,19 @@ namespace fiberloom
         const Scene        scene{parameters, fibers, mesh};
         const auto         stage = create_stage(name, scene);
         StageStatistics    statistics;
-        statistics.name = name;
-        if (continues && restart.stages.size() > state.stage &&
-            state.increment > 0)
-          statistics = restart.stages[state.stage];
+        statistics.name      = name;
+        const bool under_way = state.increment > 0 || state.step > 0;
+        if (under_way && restart.stages.size() > restart.state.stage)
+          statistics = restart.stages[restart.state.stage];
 
         const unsigned int number = state.stage;
         try
           {
             writer.begin_stage(name, state);
-            StageRun run(scene,
-                         *stage,
-                         name,
-                         generator,
-                         statistics,
-                         log,
-                         comm,
-                         [&stop]() { return stop.requested(); });
+            StageRun run(
+              scene, *stage, name, generator, statistics, log, comm, [&stop]() {
+                return stop.requested();
+              });
             run.run(state, std::ref(writer));
           }
         catch (const StopRequested &)
@@ -192,8 +258,8 @@ namespace fiberloom
     std::string left_out;
     if (parameters.contact.friction_coefficient == 0)
       left_out += " friction and its history,";
-    if (mesh.lines().size() == 1)
-      left_out += " contact between fibers,";
+    if (!generator.searches())
+      left_out += " the search for contact,";
     left_out += " matrix layers";
     log.write("left out, as the scene does not need it:" + left_out);
   }

@@ -21,7 +21,7 @@ namespace fiberloom
     virtual ~Implementation() = default;
 
     virtual int
-    factorize(const BlockMatrix &matrix, const double shift) = 0;
+    factorize(const BlockMatrix &matrix) = 0;
 
     virtual void
     solve(const BlockLayout &layout, double *owned_values) = 0;
@@ -150,11 +150,11 @@ namespace fiberloom
     }
 
     int
-    factorize(const BlockMatrix &matrix, const double shift) override
+    factorize(const BlockMatrix &matrix) override
     {
       if (analysed != matrix.pattern_version() || &matrix != analysed_matrix)
         analyse(matrix);
-      fill_values(matrix, shift);
+      fill_values(matrix);
 
       data.a_loc = values.data();
       for (unsigned int attempt = 0; attempt < 5; ++attempt)
@@ -287,17 +287,15 @@ namespace fiberloom
     }
 
     void
-    fill_values(const BlockMatrix &matrix, const double shift)
+    fill_values(const BlockMatrix &matrix)
     {
       values.clear();
       values.reserve(rows.size());
-      visit_upper_triangle(matrix,
-                           [&](const unsigned int row,
-                               const unsigned int column,
-                               const double       value) {
-                             values.push_back(value +
-                                              (row == column ? shift : 0.));
-                           });
+      visit_upper_triangle(
+        matrix,
+        [&](const unsigned int, const unsigned int, const double value) {
+          values.push_back(value);
+        });
     }
 
     MPI_Comm                                     comm;
@@ -327,9 +325,9 @@ namespace fiberloom
 
 
   int
-  DirectFactor::factorize(const BlockMatrix &matrix, const double shift)
+  DirectFactor::factorize(const BlockMatrix &matrix)
   {
-    return implementation->factorize(matrix, shift);
+    return implementation->factorize(matrix);
   }
 
 

@@ -24,6 +24,9 @@ namespace fiberloom
     constexpr double inner_reduction = .1, loosest_inner = .02,
                      tightest_inner = 1e-5;
 
+    // A tight fabric, whose contact forces are large, needs more.
+    constexpr double stronger_damping = 8;
+
     // A loop on normals that contracts slower than this, from this pass on.
     constexpr double       slow_ratio     = .5;
     constexpr unsigned int slow_from_pass = 3;
@@ -293,11 +296,25 @@ namespace fiberloom
 
     // Frozen normals let soft modes of a tow run away; the damped loop, whose
     // normals follow every iteration, starts over from the last good state.
-    state = problem.before;
-    return solve_in_one_loop(state,
-                             problem,
-                             parameters.solver.largest_newton_iterations,
-                             parameters.solver.damping);
+    for (const double damping : dampings())
+      {
+        state = problem.before;
+        if (solve_in_one_loop(state,
+                              problem,
+                              parameters.solver.largest_loop_iterations,
+                              damping))
+          return true;
+      }
+    return false;
+  }
+
+
+
+  std::array<double, 2>
+  Equilibrium::dampings() const
+  {
+    return {{parameters.solver.damping,
+             stronger_damping * parameters.solver.damping}};
   }
 
 

@@ -8,6 +8,8 @@
 #include <AztecOO.h>
 #include <Epetra_Vector.h>
 
+#include <algorithm>
+
 namespace fiberloom
 {
   namespace
@@ -114,14 +116,13 @@ namespace fiberloom
 
   LinearSolver::LinearSolver(const BlockLayout &layout,
                              const std::string &precision)
-    : layout(layout)
-    , factor(layout.communicator(), choose_precision(precision, layout.n_dofs()))
+    : factor(layout.communicator(), choose_precision(precision, layout.n_dofs()))
   {}
 
 
 
   LinearSolver::Outcome
-  LinearSolver::solve(const BlockMatrix         &matrix,
+  LinearSolver::solve(BlockMatrix               &matrix,
                       const std::vector<double> &right_hand_side,
                       const double               damping,
                       const double               shift_unit,
@@ -129,25 +130,20 @@ namespace fiberloom
   {
     Outcome outcome;
     outcome.shift = damping;
+    matrix.add_to_diagonal(damping);
     for (unsigned int attempt = 0;; ++attempt)
       {
         ++outcome.factorizations;
-        if (factor.factorize(matrix, outcome.shift) == 0)
+        if (factor.factorize(matrix) == 0)
           break;
         if (attempt == largest_shifts)
           throw StageFailure("the tangent stays indefinite for every shift");
-        outcome.shift =
-          std::max(shift_unit, shift_growth * outcome.shift);
+        const double larger = std::max(shift_unit, shift_growth * outcome.shift);
+        matrix.add_to_diagonal(larger - outcome.shift);
+        outcome.shift = larger;
       }
 
-    solution = right_hand_side;
-    if (outcome.shift > 0)
-      {
-        // The shifted matrix is what is solved: one step of descent.
-        factor.solve(layout, solution.data());
-        return outcome;
-      }
-
+    solution.resize(right_hand_side.size());
     const Epetra_Map &map = matrix.OperatorRangeMap();
     Epetra_Vector     b(Copy, map, const_cast<double *>(right_hand_side.data()));
     Epetra_Vector     x(View, map, solution.data());
@@ -159,7 +155,7 @@ namespace fiberloom
 
     FactorOperator preconditioner(factor, matrix);
     AztecOO        krylov;
-    krylov.SetUserOperator(const_cast<BlockMatrix *>(&matrix));
+    krylov.SetUserOperator(&matrix);
     krylov.SetLHS(&x);
     krylov.SetRHS(&b);
     krylov.SetPrecOperator(&preconditioner);

@@ -86,13 +86,27 @@ namespace fiberloom
                         const State &before,
                         Equilibrium &equilibrium) const
   {
-    const WeavingParameters &weaving = scene.parameters.weaving;
-    if (weaving.path == "nested")
+    if (scene.parameters.weaving.path == "nested")
       return false;
+    for (const double damping : equilibrium.dampings())
+      {
+        state = before;
+        if (weave_in_one_loop(state, before, equilibrium, damping))
+          return true;
+      }
+    return false;
+  }
 
-    const double damping = scene.parameters.solver.damping;
 
-    Equilibrium::Problem problem{before, targets(state.placements, 1), {}};
+
+  bool
+  Weave::weave_in_one_loop(State       &state,
+                           const State &before,
+                           Equilibrium &equilibrium,
+                           const double damping) const
+  {
+    const WeavingParameters &weaving = scene.parameters.weaving;
+    Equilibrium::Problem     problem{before, targets(state.placements, 1), {}};
     problem.rule.vertical = true;
     const double step     = weaving.step * radius;
     for (double overlap = full_overlap; overlap > 0;)
@@ -111,10 +125,8 @@ namespace fiberloom
     const State          reference = state;
     Equilibrium::Problem end{reference, problem.targets, {}};
     end.rule.friction = scene.parameters.contact.friction_coefficient > 0;
-    return equilibrium.solve_in_one_loop(state,
-                                         end,
-                                         weaving.fast_end_iterations,
-                                         damping);
+    return equilibrium.solve_in_one_loop(
+      state, end, scene.parameters.solver.largest_loop_iterations, damping);
   }
 
 

@@ -77,6 +77,7 @@ namespace fiberloom
     double initial_stiffness    = 0.2;  // over E r
     double elastic_slip         = 0.05; // over the radius
     double search_margin        = 0.3;  // over the radius
+    std::string self_contact    = "automatic"; // automatic | true | false
   };
 
   struct WeavingParameters
@@ -85,7 +86,6 @@ namespace fiberloom
     double      step =
       0.5; // reduction of the allowed overlap per step over the radius
     unsigned int fast_iterations_per_step = 3;
-    unsigned int fast_end_iterations      = 70;
   };
 
   struct RelaxParameters
@@ -119,6 +119,7 @@ namespace fiberloom
     unsigned int largest_contact_passes    = 12;
     unsigned int largest_normal_passes     = 15;
     unsigned int largest_newton_iterations = 40;
+    unsigned int largest_loop_iterations   = 70;
     double       damping = 1e-3; // of the one-loop tangent, over E r
     unsigned int line_search_from          = 5;
     double       growth                    = 1.3;

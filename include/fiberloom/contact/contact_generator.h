@@ -76,6 +76,13 @@ namespace fiberloom
                    const DofVector                   &q,
                    ContactState                      &state) const;
 
+    /** Whether the scene has anything to search for. */
+    bool
+    searches() const
+    {
+      return search.is_needed();
+    }
+
     /** Fibers of crossing tows that lie on the wrong side of each other. */
     unsigned int
     crossings_out_of_order(const DofVector &q) const;

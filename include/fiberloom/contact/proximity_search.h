@@ -33,12 +33,20 @@ namespace fiberloom
     /** @p margin and @p skin in mm. */
     ProximitySearch(const FiberMesh &mesh,
                     const double     margin,
-                    const double     skin);
+                    const double     skin,
+                    const bool       self_contact);
+
+    /** False where no two pieces could ever be a pair: then nothing is searched. */
+    bool
+    is_needed() const
+    {
+      return self_contact || mesh.lines().size() > 1;
+    }
 
     /**
      * Candidates at placement @p q : all pairs closer than the margin, and
-     * some that are not; sorted. Pieces of one fiber count when they are
-     * further apart along it than its circumference.
+     * some that are not; sorted. With self-contact, pieces of one fiber count
+     * when they are further apart along it than its circumference.
      */
     const std::vector<CandidatePair> &
     candidates(const DofVector &q);
@@ -56,6 +64,7 @@ namespace fiberloom
     const FiberMesh           &mesh;
     const double               margin;
     const double               skin;
+    const bool                 self_contact;
     DofVector                  searched_at;
     std::vector<CandidatePair> found;
     unsigned int               searches = 0;

@@ -35,6 +35,10 @@ namespace fiberloom
     void
     set_zero();
 
+    /** Adds @p value to every diagonal entry. */
+    void
+    add_to_diagonal(const double value);
+
     /** Where the block (row, column) is stored, row by row; the row is owned. */
     double *
     block(const unsigned int row, const unsigned int column);

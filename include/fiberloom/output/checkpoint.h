@@ -6,6 +6,8 @@
 
 #include <fiberloom/base/statistics.h>
 
+#include <fiberloom/fabric/fiber_set.h>
+
 #include <fiberloom/beams/fiber_mesh.h>
 
 #include <fiberloom/model/state.h>
@@ -25,11 +27,12 @@ namespace fiberloom
   };
 
   /**
-   * Sizes of a model and a checksum of its geometry and materials: two models
-   * with the same description can use each other's checkpoints.
+   * Sizes of a model and a checksum of its geometry, materials and, for a
+   * fabric, the superimposition order of all crossings: two models with the
+   * same description can use each other's checkpoints.
    */
   std::string
-  describe_model(const FiberMesh &mesh);
+  describe_model(const FiberSet &fibers, const FiberMesh &mesh);
 
   /** Content of a checkpoint file for the model described by @p model . */
   std::string

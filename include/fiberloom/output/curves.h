@@ -41,14 +41,15 @@ namespace fiberloom
            const CurveRow    &values);
 
     /**
-     * Takes up the rows of the text of a former file up to @p increment of
-     * stage @p stage_index ; those beyond are forgotten. Throws InputError if
-     * @p text is no such file.
+     * Takes up the rows of the text of a former file of a scene with @p stages
+     * up to @p increment of stage @p stage_index ; those beyond are forgotten.
+     * Throws InputError if @p text is no such file.
      */
     void
-    continue_from(const std::string &text,
-                  const unsigned int stage_index,
-                  const unsigned int increment);
+    continue_from(const std::string              &text,
+                  const std::vector<std::string> &stages,
+                  const unsigned int              stage_index,
+                  const unsigned int              increment);
 
     /** Text of the file. */
     std::string

@@ -31,7 +31,9 @@ namespace fiberloom
    * written they throw StageFailure on every rank, and no file under its final
    * name is ever half written.
    *
-   * Time in the fields is the index of the stage plus its load. The checkpoint
+   * Time in the fields is the index of the stage plus its load. Files carry the
+   * name of their stage, followed by its index where the scene has had a stage
+   * of that name before: relax_0001, later relax_2_0001. The checkpoint
    * is always written last, so that the other files are never behind it.
    */
   class OutputWriter
@@ -115,10 +117,10 @@ namespace fiberloom
     write_curve(const IncrementReport &report);
 
     void
-    write_pictures(const IncrementReport &report);
+    write_pictures(const IncrementReport &report, const std::string &label);
 
     void
-    write_end_of_stage(const IncrementReport &report);
+    write_end_of_stage(const IncrementReport &report, const std::string &label);
 
     Parameters                   parameters;
     const FiberSet              &fibers;

@@ -25,7 +25,8 @@ namespace fiberloom
                const CommandLine &command_line,
                const MPI_Comm     comm);
 
-    /** Returns the exit status. Throws InputError before anything is written. */
+    /** Returns the exit status. Throws InputError before anything is written.
+     */
     int
     run();
 
@@ -36,9 +37,27 @@ namespace fiberloom
     void
     print_check();
 
-    /** The state to start from, and whether it continues this scene. */
+    /**
+     * The state to start from. Where the scene's stages begin with those that
+     * the checkpoint has behind it, or are those of the run that wrote it, the
+     * run goes on after them, inside the next one if that is under way. Any
+     * other list of stages starts from the state as from scratch. Sets
+     * #continues . Throws InputError.
+     */
     State
     initial_state();
+
+    /** How many stages of the scene the restart file has behind it. */
+    unsigned int
+    n_stages_done() const;
+
+    /** Whether the restart file lies in the output directory. Collective. */
+    bool
+    restarts_in_place() const;
+
+    /** What the restarted run did before, for the writer's statistics. */
+    void
+    record_stages_before(const State &state, OutputWriter &writer) const;
 
     int
     run_stages(State &state, OutputWriter &writer);
@@ -49,16 +68,16 @@ namespace fiberloom
     void
     log_timings(const std::vector<StageStatistics> &stages);
 
-    const Parameters   parameters;
-    const CommandLine  command_line;
-    const MPI_Comm     comm;
-    const FiberSet     fibers;
-    const FiberMesh    mesh;
-    ContactGenerator   generator;
-    Log                log;
-    Checkpoint         restart;
-    bool               continues = false;
-    double             output_seconds = 0;
+    const Parameters  parameters;
+    const CommandLine command_line;
+    const MPI_Comm    comm;
+    const FiberSet    fibers;
+    const FiberMesh   mesh;
+    ContactGenerator  generator;
+    Log               log;
+    Checkpoint        restart;
+    bool              continues = false; // the files in the output directory
+    double            output_seconds = 0;
   };
 } // namespace fiberloom
 

@@ -31,13 +31,12 @@ namespace fiberloom
     ~DirectFactor();
 
     /**
-     * Factorises @p matrix + @p shift times identity; analyses anew when the
-     * pattern has changed. Returns the number of negative pivots, or -1 when
+     * Factorises @p matrix ; analyses anew when the pattern has changed. Returns the number of negative pivots, or -1 when
      * the factorisation failed (singular). Throws StageFailure when memory
      * runs out.
      */
     int
-    factorize(const BlockMatrix &matrix, const double shift);
+    factorize(const BlockMatrix &matrix);
 
     /** Solves for the owned parts in place. */
     void

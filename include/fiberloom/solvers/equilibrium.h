@@ -12,6 +12,7 @@
 
 #include <fiberloom/solvers/linear_solver.h>
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -68,6 +69,10 @@ namespace fiberloom
                       const Problem     &problem,
                       const unsigned int largest_iterations,
                       const double       damping);
+
+    /** Over E r, to be tried one after the other. */
+    std::array<double, 2>
+    dampings() const;
 
     /** @p n iterations of that loop, converged or not. */
     void

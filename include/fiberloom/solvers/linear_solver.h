@@ -32,20 +32,19 @@ namespace fiberloom
 
     /**
      * @p solution : the owned part, resized. @p damping is added to the
-     * diagonal in any case, @p shift_unit is the smallest shift to be tried
-     * where the matrix is indefinite [N/mm]. Throws StageFailure if no shift
-     * helps.
+     * diagonal of @p matrix in any case, @p shift_unit is the smallest shift
+     * to be tried where that is indefinite [N/mm]. Throws StageFailure if no
+     * shift helps.
      */
     Outcome
-    solve(const BlockMatrix         &matrix,
+    solve(BlockMatrix               &matrix,
           const std::vector<double> &right_hand_side,
           const double               damping,
           const double               shift_unit,
           std::vector<double>       &solution);
 
   private:
-    const BlockLayout &layout;
-    DirectFactor       factor;
+    DirectFactor factor;
   };
 } // namespace fiberloom
 

@@ -49,6 +49,12 @@ namespace fiberloom
           const std::vector<BodyVector> &reactions) const override;
 
   private:
+    bool
+    weave_in_one_loop(State       &state,
+                      const State &before,
+                      Equilibrium &equilibrium,
+                      const double damping) const;
+
     double full_overlap; // [mm]
     double radius;       // [mm]
   };

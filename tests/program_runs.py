@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+
+"""What the tests that run the whole program share.
+
+Each is called as
+
+    NAME.py PROGRAM SOURCE_DIRECTORY
+
+in a directory of its own, and fails by the status of its process, after a line
+for each thing that it checks.
+"""
+
+import csv
+import os
+import shutil
+import subprocess
+import sys
+
+PROGRAM, SOURCE = sys.argv[1:3]
+SMALL_WEAVE = os.path.join(SOURCE, "tests", "scenes", "small_weave.prm")
+
+failures = 0
+
+
+def check(what, good):
+    global failures
+    failures += not good
+    print(f"{'ok   ' if good else 'WRONG'} {what}", flush=True)
+
+
+def finish():
+    sys.exit(failures > 0)
+
+
+def command(scene, directory, *settings, ranks=1, restart=None):
+    """Arguments of a run of `scene` into a directory that is emptied unless it goes on."""
+    if restart is None:
+        shutil.rmtree(directory, ignore_errors=True)
+    words = ["mpirun", "-np", str(ranks), "--oversubscribe"] if ranks > 1 else []
+    words += [PROGRAM, scene, "--output-directory", directory]
+    for setting in settings:
+        words += ["--set", setting]
+    return words + (["--restart", restart] if restart else [])
+
+
+def run(*arguments, **options):
+    """The finished process."""
+    return subprocess.run(command(*arguments, **options), capture_output=True, text=True)
+
+
+def curve(directory):
+    """Rows of loading_curve.csv; numbers where there are numbers."""
+    with open(os.path.join(directory, "loading_curve.csv")) as file:
+        return [{name: cell if name == "stage" else float(cell) for name, cell in row.items() if cell}
+                for row in csv.DictReader(file)]
+
+
+def unit(column):
+    return column[column.index("["):] if "[" in column else column
+
+
+def difference(one, other):
+    """Largest difference of two curves, over the largest value of that unit; None if rows differ."""
+    one, other = curve(one), curve(other)
+    if [row.keys() for row in one] != [row.keys() for row in other]:
+        return None
+    scale = {}
+    for row in one:
+        for name, value in row.items():
+            if name != "stage":
+                scale[unit(name)] = max(scale.get(unit(name), 1e-300), abs(value))
+    return max((abs(a[name] - b[name]) / scale[unit(name)]
+                for a, b in zip(one, other) for name in a if name != "stage"), default=None)
+
+
+def check_same(what, one, other, tolerance):
+    found = difference(one, other)
+    shown = "rows differ" if found is None else f"differs by {found:.1e}, allowed {tolerance:.0e}"
+    check(f"{what}: {shown}", found is not None and found <= tolerance)

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+
+"""A run whose increment is rejected and cut equals one that takes the small increment at once."""
+
+import json
+import os
+import sys
+
+from program_runs import SMALL_WEAVE, check, check_same, finish, run
+
+# Large steps fail for lack of iterations.
+SETTINGS = ["Biaxial/Largest strain=0.02", "Biaxial/Largest step=0.3", "Solver/Growth=1",
+            "Solver/Largest Newton iterations=4"]
+
+
+def rejected(directory):
+    with open(os.path.join(directory, "summary.json")) as file:
+        return json.load(file)["stages"][-1]["rejected_increments"]
+
+
+def main():
+    check("woven", run(SMALL_WEAVE, "woven", "Stages=weave, relax").returncode == 0)
+    for step, directory in ((1, "large"), (None, "small")):
+        if step is None:
+            step = .5**rejected("large")
+        settings = ["Stages=biaxial", f"Biaxial/First step={step}", *SETTINGS]
+        done = run(SMALL_WEAVE, directory, *settings, restart=os.path.join("woven", "checkpoint"))
+        check(f"first step {step}: status {done.returncode} {done.stderr}", done.returncode == 0)
+    check(f"increments were rejected: {rejected('large')}", rejected("large") > 0)
+    check(f"and none with the small step: {rejected('small')}", rejected("small") == 0)
+    check_same("curve", "large", "small", 1e-10)
+    finish()
+
+
+sys.exit(main())

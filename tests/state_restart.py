@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+
+"""A run that is interrupted in any way and restarted leaves the loading curve of the straight run."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+
+from program_runs import SMALL_WEAVE, check, check_same, command, curve, finish, run
+
+
+def n_rows(directory):
+    try:
+        return len(curve(directory))
+    except OSError:
+        return 0
+
+
+def interrupt(directory, how, after_rows, ranks):
+    """Status of a run that is interrupted once its curve has so many rows."""
+    process = subprocess.Popen(command(SMALL_WEAVE, directory, ranks=ranks),
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    while n_rows(directory) < after_rows and process.poll() is None:
+        time.sleep(.01)
+    if how == "stop":
+        open(os.path.join(directory, "stop"), "w").close()
+    else:
+        process.send_signal(how)
+    return process.wait()
+
+
+def check_restart(name, how, after_rows, ranks=1, status=3):
+    directory = f"{name}_{ranks}"
+    found = interrupt(directory, how, after_rows, ranks)
+    check(f"{name} on {ranks} ranks: status {found}, expected {status}", found == status)
+    rows = n_rows(directory)
+    check(f"  interrupted within the run, after {rows} rows", after_rows <= rows < n_rows(f"straight_{ranks}"))
+    again = run(SMALL_WEAVE, directory, ranks=ranks, restart=os.path.join(directory, "checkpoint"))
+    check(f"  restarted: status {again.returncode} {again.stderr}", again.returncode == 0)
+    check_same("  curve", f"straight_{ranks}", directory, 1e-10)
+
+
+def check_lists():
+    """Which stages a restart does, by what the checkpoint has behind it."""
+    check("woven", run(SMALL_WEAVE, "woven", "Stages=weave, relax").returncode == 0)
+    checkpoint = os.path.join("woven", "checkpoint")
+    for stages in ("biaxial", "weave, relax, biaxial"):
+        check(f"on from there: {stages}",
+              run(SMALL_WEAVE, "on", f"Stages={stages}", restart=checkpoint).returncode == 0)
+        check("  only what is left is done", {row["stage"] for row in curve("on")} == {"biaxial"})
+    straight = [row for row in curve("straight_1") if row["stage"] == "biaxial"]
+    check("  with the same result", [row["force_warp[N]"] for row in straight] ==
+          [row["force_warp[N]"] for row in curve("on")])
+    done = run(SMALL_WEAVE, "woven", "Stages=weave, relax", restart=checkpoint)
+    check("nothing is left", done.returncode == 0 and "nothing is left to do" in done.stdout)
+    check("  and the files stay", n_rows("woven") == 2)
+
+    repeated = run(SMALL_WEAVE, "repeated", "Stages=weave, relax, biaxial, relax")
+    fields = os.listdir(os.path.join("repeated", "fields"))
+    check("a repeated stage has files of its own", repeated.returncode == 0 and
+          "fibers_relax_0001.pvtu" in fields and any(name.startswith("fibers_relax_3_") for name in fields))
+
+
+def main():
+    for ranks in (1, 2):
+        check(f"straight on {ranks} ranks", run(SMALL_WEAVE, f"straight_{ranks}", ranks=ranks).returncode == 0)
+    check_restart("stop", "stop", 3)
+    check_restart("terminate", signal.SIGTERM, 5)
+    check_restart("user", signal.SIGUSR1, 1)
+    check_restart("kill", signal.SIGKILL, 6, status=-signal.SIGKILL)
+    check_restart("stop", "stop", 4, ranks=2)
+    check_lists()
+    finish()
+
+
+sys.exit(main())
