@@ -20,6 +20,9 @@ import sys
 PROGRAM, SOURCE = sys.argv[1:3]
 SMALL_WEAVE = os.path.join(SOURCE, "tests", "scenes", "small_weave.prm")
 
+# Ranks may be more than cores: let those that wait give way.
+os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")
+
 failures = 0
 
 
@@ -33,9 +36,9 @@ def finish():
     sys.exit(failures > 0)
 
 
-def command(scene, directory, *settings, ranks=1, restart=None):
+def command(scene, directory, *settings, ranks=1, restart=None, keep=False):
     """Arguments of a run of `scene` into a directory that is emptied unless it goes on."""
-    if restart is None:
+    if restart is None and not keep:
         shutil.rmtree(directory, ignore_errors=True)
     words = ["mpirun", "-np", str(ranks), "--oversubscribe"] if ranks > 1 else []
     words += [PROGRAM, scene, "--output-directory", directory]

@@ -4,6 +4,7 @@
 """A run that is interrupted in any way and restarted leaves the loading curve of the straight run."""
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -43,6 +44,19 @@ def check_restart(name, how, after_rows, ranks=1, status=3):
     check_same("  curve", f"straight_{ranks}", directory, 1e-10)
 
 
+def check_stop_at_once():
+    """Before the first increment is accepted."""
+    shutil.rmtree("at_once", ignore_errors=True)
+    os.makedirs("at_once")
+    open(os.path.join("at_once", "stop"), "w").close()
+    stopped = run(SMALL_WEAVE, "at_once", keep=True)
+    check(f"stop at once: status {stopped.returncode}", stopped.returncode == 3 and n_rows("at_once") == 0)
+    check("  stop is removed", not os.path.exists(os.path.join("at_once", "stop")))
+    again = run(SMALL_WEAVE, "at_once", restart=os.path.join("at_once", "checkpoint"))
+    check(f"  restarted: status {again.returncode}", again.returncode == 0)
+    check_same("  curve", "straight_1", "at_once", 1e-10)
+
+
 def check_lists():
     """Which stages a restart does, by what the checkpoint has behind it."""
     check("woven", run(SMALL_WEAVE, "woven", "Stages=weave, relax").returncode == 0)
@@ -72,6 +86,7 @@ def main():
     check_restart("user", signal.SIGUSR1, 1)
     check_restart("kill", signal.SIGKILL, 6, status=-signal.SIGKILL)
     check_restart("stop", "stop", 4, ranks=2)
+    check_stop_at_once()
     check_lists()
     finish()
 

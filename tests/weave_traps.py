@@ -70,7 +70,7 @@ def line_distance(one, other):
 def check_fabric(pattern, fibers, *settings):
     directory = f"{pattern.replace(' ', '_').replace('/', '')}_{fibers}{len(settings)}"
     done = run(SMALL_WEAVE, directory, "Stages=weave, relax", f"Fabric/Pattern={pattern}", "Fabric/Warp/Tows=4",
-               f"Fabric/Warp/Fibers per tow={fibers}", "Fabric/Warp/Elements per fiber=16", *settings)
+               f"Fabric/Warp/Fibers per tow={fibers}", "Fabric/Warp/Elements per fiber=24", *settings)
     check(f"{pattern}, {fibers} fibers a tow {settings}: status {done.returncode} {done.stderr}", done.returncode == 0)
     if done.returncode != 0:
         return

@@ -121,7 +121,8 @@ namespace fiberloom
         const Equilibrium::Problem problem{
           state,
           stage.targets(state.stage_start_placements, load),
-          stage.rule(load)};
+          stage.rule(load),
+          stage.least_force_scale(load)};
         if (equilibrium.solve(found, problem))
           {
             if (statistics.newton_iterations - newton_before <=

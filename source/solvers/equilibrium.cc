@@ -93,10 +93,11 @@ namespace fiberloom
 
 
   double
-  Equilibrium::residual_scale() const
+  Equilibrium::residual_scale(const Problem &problem) const
   {
     const double floor =
-      1e-9 * system.stiffness_scale() * mesh.lines().front().radius;
+      std::max(problem.least_scale,
+               1e-9 * system.stiffness_scale() * mesh.lines().front().radius);
     double largest = 0;
     for (const ContactElement &contact : contact_elements)
       largest = std::max(largest, contact.normal_force);
@@ -123,7 +124,7 @@ namespace fiberloom
   {
     ScopedTimer timer(statistics.seconds.assembly);
     system.assemble_residual(state, problem.targets, contact_elements);
-    return system.residual_norm() / residual_scale();
+    return system.residual_norm() / residual_scale(problem);
   }
 
 
@@ -201,7 +202,7 @@ namespace fiberloom
       ScopedTimer timer(statistics.seconds.assembly);
       system.assemble(state, problem.targets, contact_elements);
     }
-    const double residual = system.residual_norm() / residual_scale();
+    const double residual = system.residual_norm() / residual_scale(problem);
     const bool   moves    = system.moves(state, problem.targets);
     if (!moves && residual < tolerance)
       return Step::converged;

@@ -81,6 +81,18 @@ namespace fiberloom
 
 
 
+  double
+  Weave::least_force_scale(const double load) const
+  {
+    if (load >= 1)
+      return 0;
+    const ContactParameters &contact = scene.parameters.contact;
+    return contact.initial_stiffness * contact.largest_penetration *
+           scene.fibers.fibers.front().young_modulus * radius * radius;
+  }
+
+
+
   bool
   Weave::take_fast_path(State       &state,
                         const State &before,

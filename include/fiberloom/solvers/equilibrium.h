@@ -48,6 +48,7 @@ namespace fiberloom
       const State            &before; // the last accepted state
       std::vector<BodyTarget> targets;
       ContactRule             rule;
+      double                  least_scale = 0; // of the residual [N]
     };
 
     /**
@@ -148,7 +149,7 @@ namespace fiberloom
     adapt_stiffness(State &state) const;
 
     double
-    residual_scale() const;
+    residual_scale(const Problem &problem) const;
 
     double
     tolerance() const;

@@ -89,6 +89,13 @@ namespace fiberloom
       return 1;
     }
 
+    /** Forces below this need not be resolved on the way [N]. */
+    virtual double
+    least_force_scale(const double /*load*/) const
+    {
+      return 0;
+    }
+
     /**
      * A cheaper way to the end of the stage than by increments, tried once at
      * its start. False, with @p state spoilt, where there is none or it fails.

@@ -35,6 +35,10 @@ namespace fiberloom
     double
     first_step(const State &state) const override;
 
+    /** While tows still overlap: a typical force at a crossing. */
+    double
+    least_force_scale(const double load) const override;
+
     /**
      * Without friction, a few iterations for each overlap and all of contact
      * regenerated in each, then straight to the standard normals.
