@@ -374,11 +374,12 @@ namespace fiberloom
                     "Increments between files for ParaView; 0: only at the end "
                     "of a stage.",
                     Allowed::whole(0, most_iterations));
-      catalogue.add("Slices",
-                    output.slices,
-                    "Family of tows whose middle one the slices cut along, across "
-                    "the tows of the other family.",
-                    Allowed::one_of("warp|fill|both|none"));
+      catalogue.add(
+        "Slices",
+        output.slices,
+        "Family of tows whose middle one the slices cut along, across "
+        "the tows of the other family.",
+        Allowed::one_of("warp|fill|both|none"));
       catalogue.add("Section points",
                     output.section_points,
                     "Points on the border of each section that is drawn.",

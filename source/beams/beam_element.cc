@@ -53,7 +53,8 @@ namespace fiberloom
           {
             vectors[i].setZero();
             for (unsigned int a = 0; a < 3; ++a)
-              vectors[i] += coefficients[i][a] * q.segment<3>(9 * a + 3 * slot[i]);
+              vectors[i] +=
+                coefficients[i][a] * q.segment<3>(9 * a + 3 * slot[i]);
           }
         return vectors;
       }
@@ -71,7 +72,8 @@ namespace fiberloom
       return e;
     }
 
-    /** e11, e22, e12 (rows) at the three nodes (columns), reference included. */
+    /** e11, e22, e12 (rows) at the three nodes (columns), reference included.
+     */
     Matrix3
     node_section_gram(const BeamElement::Vector &q, const double radius)
     {
@@ -98,7 +100,7 @@ namespace fiberloom
   {
     for (const double xi : gauss_xi)
       {
-        const auto dN = shape_derivatives(xi);
+        const auto dN         = shape_derivatives(xi);
         Vector3    derivative = Vector3::Zero();
         for (unsigned int a = 0; a < 3; ++a)
           derivative += dN[a] * reference.segment<3>(9 * a);
@@ -223,8 +225,10 @@ namespace fiberloom
 
     for (const GaussPoint &point : points)
       {
-        const Interpolation interpolation(point.shape, point.derivative, radius);
-        const auto          vectors = interpolation(q);
+        const Interpolation      interpolation(point.shape,
+                                          point.derivative,
+                                          radius);
+        const auto               vectors = interpolation(q);
         SectionStiffness::Vector e;
         strains(vectors, section_strain, point, e);
         const SectionStiffness::Vector S = point.weight * (point.stiffness * e);
@@ -292,7 +296,7 @@ namespace fiberloom
           residual.segment<9>(9 * a) +=
             node_stress(k, a) * node_section_gradient(q, k, a).transpose();
           const double value = node_stress(k, a) / (radius * radius);
-          const auto  [i, j] = section_vectors[k];
+          const auto [i, j]  = section_vectors[k];
           geometric(3 * a + i, 3 * a + j) += value;
           if (i != j)
             geometric(3 * a + j, 3 * a + i) += value;
@@ -323,8 +327,8 @@ namespace fiberloom
                                      const unsigned int node) const
   {
     Eigen::Matrix<double, 1, 9> gradient = Eigen::Matrix<double, 1, 9>::Zero();
-    const auto  [i, j] = section_vectors[strain];
-    const double scale = 1 / (radius * radius);
+    const auto [i, j]                    = section_vectors[strain];
+    const double scale                   = 1 / (radius * radius);
     gradient.segment<3>(3 * i) = scale * q.segment<3>(9 * node + 3 * j);
     if (i != j)
       gradient.segment<3>(3 * j) = scale * q.segment<3>(9 * node + 3 * i);

@@ -37,11 +37,11 @@ namespace fiberloom
 
         for (unsigned int e = 0; e < line.n_elements; ++e)
           {
-            beam_elements.emplace_back(
-              reference_dofs.segment<27>(9 * (line.first_node + 2 * e)),
-              fiber.radius,
-              fiber.young_modulus,
-              fiber.poisson_ratio);
+            beam_elements.emplace_back(reference_dofs.segment<27>(
+                                         9 * (line.first_node + 2 * e)),
+                                       fiber.radius,
+                                       fiber.young_modulus,
+                                       fiber.poisson_ratio);
             element_fibers.push_back(fiber_lines.size());
             line.length += beam_elements.back().length();
           }

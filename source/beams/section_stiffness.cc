@@ -21,14 +21,13 @@ namespace fiberloom
     Matrix6
     isotropic_law(const double young_modulus, const double poisson_ratio)
     {
-      const double G = young_modulus / (2 * (1 + poisson_ratio));
-      const double lambda =
-        2 * G * poisson_ratio / (1 - 2 * poisson_ratio);
+      const double G      = young_modulus / (2 * (1 + poisson_ratio));
+      const double lambda = 2 * G * poisson_ratio / (1 - 2 * poisson_ratio);
 
-      Matrix6 D                  = Matrix6::Zero();
-      D.topLeftCorner<3, 3>()    = Matrix3::Constant(lambda);
-      D.diagonal().head<3>()     = Vector3::Constant(lambda + 2 * G);
-      D.diagonal().tail<3>()     = Vector3::Constant(G);
+      Matrix6 D               = Matrix6::Zero();
+      D.topLeftCorner<3, 3>() = Matrix3::Constant(lambda);
+      D.diagonal().head<3>()  = Vector3::Constant(lambda + 2 * G);
+      D.diagonal().tail<3>()  = Vector3::Constant(G);
       return D;
     }
 
@@ -53,15 +52,15 @@ namespace fiberloom
       covariant(3, 5)     = .5;
       for (const unsigned int row : {4, 5})
         {
-          const unsigned int first = (row == 4) ? 6 : 9;
+          const unsigned int first  = (row == 4) ? 6 : 9;
           covariant(row, first)     = .5;
           covariant(row, first + 1) = .5 * z1;
           covariant(row, first + 2) = .5 * z2;
         }
 
-      const Matrix3 contravariant = basis.inverse(); // rows G^i
-      constexpr unsigned int index[6][2] = {
-        {0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+      const Matrix3          contravariant = basis.inverse(); // rows G^i
+      constexpr unsigned int index[6][2]   = {
+          {0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
       Matrix6 transformation;
       for (unsigned int physical = 0; physical < 6; ++physical)
         for (unsigned int component = 0; component < 6; ++component)
@@ -92,10 +91,10 @@ namespace fiberloom
     const double I      = A * r * r / 4;
     const double M      = M_PI * std::pow(r, 6) / 16;
 
-    Matrix                     D = Matrix::Zero();
+    Matrix                      D = Matrix::Zero();
     Eigen::Matrix<double, 5, 5> P;
-    P.topLeftCorner<3, 3>()  = Matrix3::Constant(A * lambda);
-    P.diagonal().head<3>()   = Vector3::Constant(A * Lambda);
+    P.topLeftCorner<3, 3>() = Matrix3::Constant(A * lambda);
+    P.diagonal().head<3>()  = Vector3::Constant(A * Lambda);
     P.topRightCorner<3, 2>() << I * lambda, I * lambda, I * lambda, I * lambda,
       I * Lambda, I * Lambda;
     P.bottomLeftCorner<2, 3>() = P.topRightCorner<3, 2>().transpose();
@@ -122,7 +121,7 @@ namespace fiberloom
     frame.col(2) = q[0].cross(q[1]).normalized();
     frame.col(1) = frame.col(2).cross(frame.col(0));
 
-    constexpr unsigned int n_angles = 12;
+    constexpr unsigned int  n_angles = 12;
     const dealii::QGauss<1> radial(5);
 
     std::vector<StrainMap> maps;
@@ -154,10 +153,9 @@ namespace fiberloom
         }
     average /= volume;
 
-    const Matrix6 D = isotropic_law(young_modulus, poisson_ratio);
+    const Matrix6 D               = isotropic_law(young_modulus, poisson_ratio);
     Matrix6       fluctuation_law = D;
-    fluctuation_law.topLeftCorner<3, 3>() =
-      young_modulus * Matrix3::Identity();
+    fluctuation_law.topLeftCorner<3, 3>() = young_modulus * Matrix3::Identity();
 
     Matrix stiffness = volume * average.transpose() * D * average;
     for (unsigned int n = 0; n < maps.size(); ++n)

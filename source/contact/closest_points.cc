@@ -29,10 +29,8 @@ namespace fiberloom
     {
       for (unsigned int i = 0; i < largest_iterations; ++i)
         {
-          const Section first =
-            mesh.section(q, mesh.locate(fibers[0], u[0]));
-          const Section second =
-            mesh.section(q, mesh.locate(fibers[1], u[1]));
+          const Section first   = mesh.section(q, mesh.locate(fibers[0], u[0]));
+          const Section second  = mesh.section(q, mesh.locate(fibers[1], u[1]));
           const auto [a, b]     = axes(first, second);
           const Vector3 between = first.center - second.center;
 
@@ -41,7 +39,8 @@ namespace fiberloom
             -second.center_derivative.dot(a), first.center_derivative.dot(b),
             -second.center_derivative.dot(b);
           const Eigen::Vector2d step =
-            jacobian.inverse() * Eigen::Vector2d(between.dot(a), between.dot(b));
+            jacobian.inverse() *
+            Eigen::Vector2d(between.dot(a), between.dot(b));
           if (!step.allFinite())
             break;
 
@@ -51,9 +50,11 @@ namespace fiberloom
               const double before = u[s];
               const double end    = mesh.lines()[fibers[s]].n_elements;
               // Far off, one element at a time: the lines may curve.
-              u[s] = std::clamp(before - std::clamp(step[s], -end / 4 - 1, end / 4 + 1),
-                                0.,
-                                end);
+              u[s] =
+                std::clamp(before -
+                             std::clamp(step[s], -end / 4 - 1, end / 4 + 1),
+                           0.,
+                           end);
               change = std::max(change, std::abs(u[s] - before));
             }
           if (change < tolerance)
@@ -76,9 +77,9 @@ namespace fiberloom
     const double  d = u.dot(w), e = v.dot(w);
     const double  determinant = a * c - b * b;
 
-    double s = (determinant > 1e-12 * a * c) ?
-                 std::clamp((b * e - c * d) / determinant, 0., 1.) :
-                 .5;
+    double       s = (determinant > 1e-12 * a * c) ?
+                       std::clamp((b * e - c * d) / determinant, 0., 1.) :
+                       .5;
     const double t = std::clamp((b * s + e) / c, 0., 1.);
     s              = std::clamp((b * t - d) / a, 0., 1.);
     return {s, t, (w + s * u - t * v).norm()};
@@ -106,10 +107,11 @@ namespace fiberloom
                 const std::array<unsigned int, 2> &fibers,
                 const ParameterPair               &start)
   {
-    return solve_pair(mesh, q, fibers, start, [](const Section &, const Section &) {
-      return std::make_pair(Vector3(Vector3::UnitX()),
-                            Vector3(Vector3::UnitY()));
-    });
+    return solve_pair(
+      mesh, q, fibers, start, [](const Section &, const Section &) {
+        return std::make_pair(Vector3(Vector3::UnitX()),
+                              Vector3(Vector3::UnitY()));
+      });
   }
 
 
@@ -130,8 +132,7 @@ namespace fiberloom
         const Vector3 t2     = second.tangent();
         const Vector3 normal = t1 + (t1.dot(t2) >= 0 ? 1. : -1.) * t2;
         const double  slope  = second.center_derivative.dot(normal);
-        const double  step =
-          (first.center - second.center).dot(normal) / slope;
+        const double  step = (first.center - second.center).dot(normal) / slope;
         if (!std::isfinite(step))
           return {};
         const double next = std::clamp(u + std::clamp(step, -1., 1.), 0., end);

@@ -3,10 +3,10 @@
 
 #include <fiberloom/base/parameters.h>
 
+#include <fiberloom/fabric/superimposition.h>
+
 #include <fiberloom/contact/contact_generator.h>
 #include <fiberloom/contact/contact_law.h>
-
-#include <fiberloom/fabric/superimposition.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,10 +82,10 @@ namespace fiberloom
         contact.weights[s]     = shape_values(contact.points[s].xi);
         contact.radii[s]       = mesh.lines()[of.fibers[s]].radius;
       }
-    const double radius = std::min(contact.radii[0], contact.radii[1]);
-    contact.normal      = Vector3::Zero();
-    contact.offset      = 0;
-    contact.stiffness   = of.stiffness;
+    const double radius    = std::min(contact.radii[0], contact.radii[1]);
+    contact.normal         = Vector3::Zero();
+    contact.offset         = 0;
+    contact.stiffness      = of.stiffness;
     contact.regularization = parameters.largest_penetration * radius / 4;
     contact.friction_limit = 0;
     contact.elastic_slip   = parameters.elastic_slip * radius;
@@ -98,11 +98,10 @@ namespace fiberloom
 
 
   ContactZone
-  ContactGenerator::successor(
-    const std::array<unsigned int, 2>          &pair,
-    const std::array<std::array<double, 2>, 2> &range,
-    const ContactState                         &before,
-    const bool                                  default_class) const
+  ContactGenerator::successor(const std::array<unsigned int, 2>          &pair,
+                              const std::array<std::array<double, 2>, 2> &range,
+                              const ContactState &before,
+                              const bool          default_class) const
   {
     const auto &first = mesh.lines()[pair[0]], &second = mesh.lines()[pair[1]];
     double      stiffness = 0;
@@ -205,10 +204,10 @@ namespace fiberloom
 
 
   void
-  ContactGenerator::add_proximity_zones(const DofVector    &q,
-                                        const ContactRule  &rule,
-                                        const ContactState &before,
-                                        ContactState       &state,
+  ContactGenerator::add_proximity_zones(const DofVector             &q,
+                                        const ContactRule           &rule,
+                                        const ContactState          &before,
+                                        ContactState                &state,
                                         std::vector<ContactElement> &contacts)
   {
     const double margin = parameters.search_margin * largest_radius(mesh);
@@ -227,11 +226,11 @@ namespace fiberloom
           mesh.section(q, mesh.locate(pair[1], u[1])).tangent();
         const double cosine = std::abs(t1.dot(t2));
 
-        ContactZone zone = successor(pair,
-                                     {{proximity.range(0), proximity.range(1)}},
-                                     before,
-                                     cosine < .5 * (parallel_above +
-                                                    crossing_below));
+        ContactZone zone =
+          successor(pair,
+                    {{proximity.range(0), proximity.range(1)}},
+                    before,
+                    cosine < .5 * (parallel_above + crossing_below));
         if (cosine > parallel_above)
           zone.crossing = false;
         else if (cosine < crossing_below)
@@ -267,13 +266,13 @@ namespace fiberloom
     const ContactState          &state,
     std::vector<ContactElement> &contacts) const
   {
-    const auto  &pair    = proximity.fibers;
-    const double reach   = mesh.lines()[pair[0]].radius +
+    const auto  &pair  = proximity.fibers;
+    const double reach = mesh.lines()[pair[0]].radius +
                          mesh.lines()[pair[1]].radius +
                          parameters.search_margin * largest_radius(mesh);
-    const double spacing = 1. / parameters.stations_per_element; // in u
-    const auto   range   = proximity.range(0);
-    const unsigned int before = contacts.size();
+    const double       spacing = 1. / parameters.stations_per_element; // in u
+    const auto         range   = proximity.range(0);
+    const unsigned int before  = contacts.size();
 
     for (int k = std::ceil(range[0] / spacing - .5);
          (k + .5) * spacing < range[1];
@@ -290,18 +289,19 @@ namespace fiberloom
           continue;
 
         const Section first = mesh.section(q, mesh.locate(pair[0], u));
-        const auto    cut =
-          cut_by_plane(mesh, q, first, pair[1], nearest->u[1]);
-        if (cut && (mesh.section(q, mesh.locate(pair[1], *cut)).center -
-                    first.center)
-                       .norm() < reach)
+        const auto cut = cut_by_plane(mesh, q, first, pair[1], nearest->u[1]);
+        if (cut &&
+            (mesh.section(q, mesh.locate(pair[1], *cut)).center - first.center)
+                .norm() < reach)
           contacts.push_back(new_element(zone, {{u, *cut}}, state));
       }
 
     // A zone too short for the spacing still has its closest point.
     if (contacts.size() == before)
-      contacts.push_back(new_element(
-        zone, mutual_closest_point(mesh, q, pair, proximity.closest().u), state));
+      contacts.push_back(
+        new_element(zone,
+                    mutual_closest_point(mesh, q, pair, proximity.closest().u),
+                    state));
   }
 
 
@@ -338,9 +338,8 @@ namespace fiberloom
         return;
       }
 
-    const Vector3 tangent =
-      (t1 + sign(t1.dot(t2)) * t2).normalized();
-    Vector3 across = first.center - second.center;
+    const Vector3 tangent = (t1 + sign(t1.dot(t2)) * t2).normalized();
+    Vector3       across  = first.center - second.center;
     across -= tangent * tangent.dot(across);
     // Coincident axes: any direction across will do to part them.
     contact.normal = across.norm() > 1e-10 * contact.radii[0] ?
@@ -358,16 +357,16 @@ namespace fiberloom
                     const ContactElement               &contact,
                     const double                        u)
     {
-      constexpr double       reach = .5;
+      constexpr double       reach    = .5;
       const FrictionHistory *nearest  = nullptr;
       double                 distance = reach;
-      for (auto entry = std::lower_bound(
-             history.begin(),
-             history.end(),
-             contact.fibers,
-             [](const FrictionHistory &h, const auto &pair) {
-               return h.fibers < pair;
-             });
+      for (auto entry =
+             std::lower_bound(history.begin(),
+                              history.end(),
+                              contact.fibers,
+                              [](const FrictionHistory &h, const auto &pair) {
+                                return h.fibers < pair;
+                              });
            entry != history.end() && entry->fibers == contact.fibers;
            ++entry)
         if (std::abs(entry->u[0] - u) < distance)
@@ -406,10 +405,8 @@ namespace fiberloom
         contact.separation_before =
           particle_separation(contact, section_pair(contact, q_before));
         contact.slip_before.setZero();
-        if (const FrictionHistory *history =
-              nearest_history(state.history,
-                              contact,
-                              mesh.parameter(contact.points[0])))
+        if (const FrictionHistory *history = nearest_history(
+              state.history, contact, mesh.parameter(contact.points[0])))
           contact.slip_before =
             history->slip - contact.normal * contact.normal.dot(history->slip);
       }
@@ -437,8 +434,8 @@ namespace fiberloom
                                  mesh.parameter(vertical.points[1])}});
         ContactElement contact = new_element(vertical.zone, u, state);
         set_normal(contact, q, standard, state);
-        const double gap   = contact_gap(contact, section_pair(contact, q));
-        zone.offset        = std::max(0., -gap - std::max(0., -vertical.gap));
+        const double gap = contact_gap(contact, section_pair(contact, q));
+        zone.offset      = std::max(0., -gap - std::max(0., -vertical.gap));
       }
   }
 

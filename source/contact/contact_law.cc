@@ -85,19 +85,18 @@ namespace fiberloom
       const double   s    = slip.norm();
       const LawValue law =
         friction_law(s, contact.friction_limit, contact.elastic_slip);
-      const double secant =
-        (s > 1e-12 * contact.elastic_slip) ?
-          law.force / s :
-          2 * contact.friction_limit / contact.elastic_slip;
-      const Vector3 force = secant * slip;
+      const double  secant = (s > 1e-12 * contact.elastic_slip) ?
+                               law.force / s :
+                               2 * contact.friction_limit / contact.elastic_slip;
+      const Vector3 force  = secant * slip;
 
       contact.friction_force = -force;
-      contact.slip = (s > contact.elastic_slip) ?
-                       Vector3(slip * (contact.elastic_slip / s)) :
-                       slip;
-      contact.status = (s > contact.elastic_slip) ?
-                         ContactElement::Status::slip :
-                         ContactElement::Status::stick;
+      contact.slip           = (s > contact.elastic_slip) ?
+                                 Vector3(slip * (contact.elastic_slip / s)) :
+                                 slip;
+      contact.status         = (s > contact.elastic_slip) ?
+                                 ContactElement::Status::slip :
+                                 ContactElement::Status::stick;
 
       // Weight of each of the six section vectors in the separation.
       const std::array<double, 6> weight{{1,
@@ -159,15 +158,15 @@ namespace fiberloom
                    SectionPair       &residual,
                    SectionPair2      *tangent)
   {
-    const Vector3 &N   = contact.normal;
-    contact.gap        = contact_gap(contact, x);
+    const Vector3 &N = contact.normal;
+    contact.gap      = contact_gap(contact, x);
     const LawValue law =
       normal_law(-contact.gap, contact.stiffness, contact.regularization);
     contact.normal_force   = law.force;
     contact.friction_force = Vector3::Zero();
     contact.slip           = Vector3::Zero();
-    contact.status = law.force > 0 ? ContactElement::Status::stick :
-                                     ContactElement::Status::open;
+    contact.status         = law.force > 0 ? ContactElement::Status::stick :
+                                             ContactElement::Status::open;
     if (!(law.force > 0) && !(contact.friction_limit > 0))
       return false;
 
@@ -182,15 +181,15 @@ namespace fiberloom
         for (unsigned int s = 0; s < 2; ++s)
           {
             const Support support(N, x, s);
-            g.segment<3>(3 * s) << (s == 0 ? 1. : -1.),
-              -support.v1 / support.h, -support.v2 / support.h;
+            g.segment<3>(3 * s) << (s == 0 ? 1. : -1.), -support.v1 / support.h,
+              -support.v2 / support.h;
             if (tangent != nullptr)
               {
-                const double n1 = support.v1 / support.h,
-                             n2 = support.v2 / support.h,
-                             c  = law.force / support.h;
-                const Matrix3 NN = c * N * N.transpose();
-                const unsigned int k = 9 * s + 3;
+                const double n1       = support.v1 / support.h,
+                             n2       = support.v2 / support.h,
+                             c        = law.force / support.h;
+                const Matrix3      NN = c * N * N.transpose();
+                const unsigned int k  = 9 * s + 3;
                 tangent->block<3, 3>(k, k) += n2 * n2 * NN;
                 tangent->block<3, 3>(k, k + 3) -= n1 * n2 * NN;
                 tangent->block<3, 3>(k + 3, k) -= n1 * n2 * NN;

@@ -49,8 +49,9 @@ namespace fiberloom
       return found;
     bool valid = searched_at.size() == q.size();
     for (unsigned int n = 0; valid && n < mesh.n_nodes(); ++n)
-      valid = (q.segment<3>(9 * n) - searched_at.segment<3>(9 * n))
-                .squaredNorm() < skin * skin / 4;
+      valid =
+        (q.segment<3>(9 * n) - searched_at.segment<3>(9 * n)).squaredNorm() <
+        skin * skin / 4;
     if (!valid)
       search(q);
     return found;
@@ -83,7 +84,7 @@ namespace fiberloom
           }
       }
 
-    Tree tree(segments.begin(), segments.end());
+    Tree                            tree(segments.begin(), segments.end());
     std::vector<Tree::Primitive_id> hits;
     for (unsigned int s = 0; s < segments.size(); ++s)
       {

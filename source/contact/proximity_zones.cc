@@ -107,12 +107,12 @@ namespace fiberloom
         matches.clear();
         for (; pair != candidates.end() && pair->fibers == fibers; ++pair)
           {
-            const auto &pieces   = pair->pieces;
-            const auto  distance = segment_distance(
-              node(fibers[0], pieces[0]),
-              node(fibers[0], pieces[0] + 1),
-              node(fibers[1], pieces[1]),
-              node(fibers[1], pieces[1] + 1));
+            const auto &pieces = pair->pieces;
+            const auto  distance =
+              segment_distance(node(fibers[0], pieces[0]),
+                               node(fibers[0], pieces[0] + 1),
+                               node(fibers[1], pieces[1]),
+                               node(fibers[1], pieces[1] + 1));
             if (distance.distance < reach)
               matches.push_back({pieces,
                                  {{.5 * (pieces[0] + distance.s),

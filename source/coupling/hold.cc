@@ -45,8 +45,8 @@ namespace fiberloom
     for (const unsigned int component : held_components(hold))
       attachment.held.set(component);
 
-    const Vector3 first  = q.segment<3>(9 * node + 3).normalized();
-    const Vector3 axis   = first.cross(q.segment<3>(9 * node + 6)).normalized();
+    const Vector3 first = q.segment<3>(9 * node + 3).normalized();
+    const Vector3 axis  = first.cross(q.segment<3>(9 * node + 6)).normalized();
     attachment.frame.col(0) = first;
     attachment.frame.col(1) = axis.cross(first);
     attachment.frame.col(2) = axis;

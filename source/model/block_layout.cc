@@ -27,9 +27,11 @@ namespace fiberloom
 
       std::vector<unsigned int> order(points.size());
       std::iota(order.begin(), order.end(), 0);
-      std::stable_sort(order.begin(), order.end(), [&](const auto a, const auto b) {
-        return keys[a] < keys[b];
-      });
+      std::stable_sort(order.begin(),
+                       order.end(),
+                       [&](const auto a, const auto b) {
+                         return keys[a] < keys[b];
+                       });
       return order;
     }
   } // namespace

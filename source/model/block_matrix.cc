@@ -96,8 +96,7 @@ namespace fiberloom
   {
     const unsigned int local_row = numbering.local_block(row);
     const auto        &columns   = column_blocks[local_row];
-    const auto         found =
-      std::lower_bound(columns.begin(), columns.end(), column);
+    const auto found = std::lower_bound(columns.begin(), columns.end(), column);
     Assert(found != columns.end() && *found == column,
            dealii::ExcMessage("block outside the pattern"));
     return data.data() + offsets[local_row][found - columns.begin()];
@@ -118,8 +117,9 @@ namespace fiberloom
         {
           const unsigned int height =
             numbering.size(numbering.owned_blocks()[row]);
-          Eigen::Map<Eigen::VectorXd> result(
-            y[v] + numbering.local_first_dof(row), height);
+          Eigen::Map<Eigen::VectorXd> result(y[v] +
+                                               numbering.local_first_dof(row),
+                                             height);
           result.setZero();
           for (unsigned int c = 0; c < column_blocks[row].size(); ++c)
             {

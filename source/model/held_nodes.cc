@@ -38,9 +38,9 @@ namespace fiberloom
           (v == 0) ? before.position : Vector3(Vector3::Zero());
         const Vector3 to = (v == 0) ? after.position : Vector3(Vector3::Zero());
         moved.segment<3>(3 * v) =
-          to + new_frame * (old_frame.transpose() *
-                              (dofs.segment<3>(3 * v) - from) +
-                            local_change.segment<3>(3 * v));
+          to +
+          new_frame * (old_frame.transpose() * (dofs.segment<3>(3 * v) - from) +
+                       local_change.segment<3>(3 * v));
       }
     return moved;
   }
@@ -88,15 +88,15 @@ namespace fiberloom
       {
         if (held[a] == nullptr)
           continue;
-        const Placement   &placement = placements[held[a]->body];
-        const Matrix3      frame =
+        const Placement &placement = placements[held[a]->body];
+        const Matrix3    frame =
           placement.rotation.toRotationMatrix() * held[a]->frame;
-        const unsigned int body   = offset(body_position[a]);
+        const unsigned int body     = offset(body_position[a]);
         const unsigned int rotation = body + 3;
         for (unsigned int v = 0; v < 3; ++v)
           {
-            const unsigned int dof = 9 * a + 3 * v;
-            Vector3 lever = q.segment<3>(9 * blocks[a] + 3 * v);
+            const unsigned int dof   = 9 * a + 3 * v;
+            Vector3            lever = q.segment<3>(9 * blocks[a] + 3 * v);
             if (v == 0)
               {
                 lever -= placement.position;

@@ -122,8 +122,10 @@ namespace fiberloom
 
     owned_map = std::make_unique<Epetra_Map>(
       numbering.owned_dofs().make_trilinos_map(comm, false));
-    everything = std::make_unique<Epetra_LocalMap>(
-      static_cast<int>(numbering.n_dofs()), 0, owned_map->Comm());
+    everything =
+      std::make_unique<Epetra_LocalMap>(static_cast<int>(numbering.n_dofs()),
+                                        0,
+                                        owned_map->Comm());
     importer = std::make_unique<Epetra_Import>(*everything, *owned_map);
   }
 
@@ -131,7 +133,8 @@ namespace fiberloom
 
   namespace
   {
-    /** The blocks a group of nodes couples: the nodes and the bodies that hold them. */
+    /** The blocks a group of nodes couples: the nodes and the bodies that hold
+     * them. */
     void
     append_bodies(const std::vector<int>    &attachment_of_node,
                   const Supports            &supports,
@@ -306,7 +309,9 @@ namespace fiberloom
           continue;
         const auto q = mesh.element_dofs(state.q, e);
         if constexpr (with_tangent)
-          mesh.element(e).residual_and_tangent(q, group.residual, group.tangent);
+          mesh.element(e).residual_and_tangent(q,
+                                               group.residual,
+                                               group.tangent);
         else
           mesh.element(e).residual(q, group.residual);
         scale = std::max(scale, group.residual.lpNorm<Eigen::Infinity>());
@@ -356,9 +361,8 @@ namespace fiberloom
     for (unsigned int b = 0; b < targets.size(); ++b)
       if (const int local = numbering.local_block(numbering.body_block(b));
           local >= 0)
-        Eigen::Map<BodyVector>(residual.data() +
-                               numbering.local_first_dof(local)) -=
-          targets[b].load;
+        Eigen::Map<BodyVector>(residual.data() + numbering.local_first_dof(
+                                                   local)) -= targets[b].load;
   }
 
 
@@ -370,8 +374,8 @@ namespace fiberloom
     std::vector<double> increments(numbering.n_dofs(), 0.);
     for (unsigned int b = 0; b < targets.size(); ++b)
       {
-        const Placement &now    = state.placements[b];
-        const Placement &target = targets[b].placement;
+        const Placement        &now    = state.placements[b];
+        const Placement        &target = targets[b].placement;
         const Eigen::AngleAxisd turn(target.rotation *
                                      now.rotation.conjugate());
         BodyVector              change;
@@ -505,8 +509,8 @@ namespace fiberloom
               const bool   moment = block >= mesh.n_nodes() && i >= 3;
               const double value =
                 std::abs(residual[numbering.local_first_dof(row) + i]);
-              norm = std::max(norm,
-                              moment ? value / rotation_lever(mesh) : value);
+              norm =
+                std::max(norm, moment ? value / rotation_lever(mesh) : value);
             }
       }
     return max(norm, numbering.communicator());
@@ -545,9 +549,9 @@ namespace fiberloom
            n < line.first_node + line.n_nodes();
            ++n)
         for (unsigned int v = 0; v < 3; ++v)
-          move = std::max(move,
-                          increment.segment<3>(9 * n + 3 * v).norm() /
-                            line.radius);
+          move =
+            std::max(move,
+                     increment.segment<3>(9 * n + 3 * v).norm() / line.radius);
     return move;
   }
 

@@ -116,8 +116,8 @@ namespace fiberloom
         if (load > 1 - .01 * state.step)
           load = 1;
 
-        const unsigned int newton_before = statistics.newton_iterations;
-        State              found         = state;
+        const unsigned int         newton_before = statistics.newton_iterations;
+        State                      found         = state;
         const Equilibrium::Problem problem{
           state,
           stage.targets(state.stage_start_placements, load),

@@ -178,9 +178,11 @@ namespace fiberloom
     void
     solve(const BlockLayout &layout, double *owned_values) override
     {
-      const auto &owned  = layout.owned_dofs();
-      const auto  counts = dealii::Utilities::MPI::gather(
-        comm, static_cast<int>(owned.n_elements()), 0);
+      const auto &owned = layout.owned_dofs();
+      const auto  counts =
+        dealii::Utilities::MPI::gather(comm,
+                                       static_cast<int>(owned.n_elements()),
+                                       0);
       std::vector<int> begins(counts.size(), 0);
       for (unsigned int r = 1; r < counts.size(); ++r)
         begins[r] = begins[r - 1] + counts[r - 1];
@@ -223,7 +225,8 @@ namespace fiberloom
     }
 
   private:
-    /** Calls @p visit(row dof, column dof, value) for the owned upper triangle. */
+    /** Calls @p visit(row dof, column dof, value) for the owned upper triangle.
+     */
     template <class Visit>
     static void
     visit_upper_triangle(const BlockMatrix &matrix, const Visit &visit)
@@ -291,11 +294,12 @@ namespace fiberloom
     {
       values.clear();
       values.reserve(rows.size());
-      visit_upper_triangle(
-        matrix,
-        [&](const unsigned int, const unsigned int, const double value) {
-          values.push_back(value);
-        });
+      visit_upper_triangle(matrix,
+                           [&](const unsigned int,
+                               const unsigned int,
+                               const double value) {
+                             values.push_back(value);
+                           });
     }
 
     MPI_Comm                                     comm;

@@ -31,8 +31,8 @@ namespace fiberloom
     constexpr double       slow_ratio     = .5;
     constexpr unsigned int slow_from_pass = 3;
 
-    constexpr double       diverged        = 1e8;
-    constexpr double       shift_over_Er   = 1e-4;
+    constexpr double       diverged         = 1e8;
+    constexpr double       shift_over_Er    = 1e-4;
     constexpr unsigned int largest_halvings = 8;
 
     double
@@ -44,12 +44,12 @@ namespace fiberloom
 
 
 
-  Equilibrium::Equilibrium(const FiberMesh                         &mesh,
-                           const Parameters                        &parameters,
-                           ContactGenerator                        &generator,
-                           System                                  &system,
-                           StageStatistics                         &statistics,
-                           std::function<void()>                    watch)
+  Equilibrium::Equilibrium(const FiberMesh      &mesh,
+                           const Parameters     &parameters,
+                           ContactGenerator     &generator,
+                           System               &system,
+                           StageStatistics      &statistics,
+                           std::function<void()> watch)
     : mesh(mesh)
     , parameters(parameters)
     , generator(generator)
@@ -82,11 +82,8 @@ namespace fiberloom
   Equilibrium::update_normals(const State &state, const Problem &problem)
   {
     ScopedTimer timer(statistics.seconds.detection);
-    generator.update(contact_elements,
-                     state.q,
-                     problem.before.q,
-                     problem.rule,
-                     state.contact);
+    generator.update(
+      contact_elements, state.q, problem.before.q, problem.rule, state.contact);
     ++statistics.normal_updates;
   }
 
@@ -209,16 +206,15 @@ namespace fiberloom
     if (!(residual < diverged))
       return Step::failed;
 
-    std::vector<double> solution;
+    std::vector<double>   solution;
     LinearSolver::Outcome outcome;
     {
       ScopedTimer timer(statistics.seconds.linear_solver);
-      outcome =
-        linear_solver.solve(system.matrix(),
-                            system.right_hand_side(),
-                            damping * system.stiffness_scale(),
-                            shift_over_Er * system.stiffness_scale(),
-                            solution);
+      outcome = linear_solver.solve(system.matrix(),
+                                    system.right_hand_side(),
+                                    damping * system.stiffness_scale(),
+                                    shift_over_Er * system.stiffness_scale(),
+                                    solution);
     }
     ++statistics.newton_iterations;
     statistics.linear_iterations += outcome.iterations;
@@ -251,10 +247,8 @@ namespace fiberloom
   {
     for (unsigned int i = 0; i < parameters.solver.largest_newton_iterations;
          ++i)
-      switch (newton_step(state,
-                          problem,
-                          tolerance,
-                          i >= parameters.solver.line_search_from))
+      switch (newton_step(
+        state, problem, tolerance, i >= parameters.solver.line_search_from))
         {
           case Step::converged:
             return true;
@@ -324,8 +318,7 @@ namespace fiberloom
   Equilibrium::solve_nested(State &state, const Problem &problem)
   {
     damping = 0;
-    for (unsigned int pass = 0;
-         pass < parameters.solver.largest_contact_passes;
+    for (unsigned int pass = 0; pass < parameters.solver.largest_contact_passes;
          ++pass)
       {
         generate(state, problem);
@@ -338,8 +331,8 @@ namespace fiberloom
             if (normals > 0)
               update_normals(state, problem);
             const double residual = measure(state, problem);
-            settled               = residual < tolerance() &&
-                      !system.moves(state, problem.targets);
+            settled =
+              residual < tolerance() && !system.moves(state, problem.targets);
             if (settled)
               {
                 if (normals == 0 && !needs_stiffening())

@@ -26,9 +26,8 @@ namespace fiberloom
     DirectFactor::Precision
     choose_precision(const std::string &name, const unsigned int n_dofs)
     {
-      const bool single =
-        name == "single" ||
-        (name == "automatic" && n_dofs >= single_precision_from);
+      const bool single = name == "single" || (name == "automatic" &&
+                                               n_dofs >= single_precision_from);
       return single ? DirectFactor::Precision::single_precision :
                       DirectFactor::Precision::double_precision;
     }
@@ -116,7 +115,8 @@ namespace fiberloom
 
   LinearSolver::LinearSolver(const BlockLayout &layout,
                              const std::string &precision)
-    : factor(layout.communicator(), choose_precision(precision, layout.n_dofs()))
+    : factor(layout.communicator(),
+             choose_precision(precision, layout.n_dofs()))
   {}
 
 
@@ -138,16 +138,17 @@ namespace fiberloom
           break;
         if (attempt == largest_shifts)
           throw StageFailure("the tangent stays indefinite for every shift");
-        const double larger = std::max(shift_unit, shift_growth * outcome.shift);
+        const double larger =
+          std::max(shift_unit, shift_growth * outcome.shift);
         matrix.add_to_diagonal(larger - outcome.shift);
         outcome.shift = larger;
       }
 
     solution.resize(right_hand_side.size());
     const Epetra_Map &map = matrix.OperatorRangeMap();
-    Epetra_Vector     b(Copy, map, const_cast<double *>(right_hand_side.data()));
-    Epetra_Vector     x(View, map, solution.data());
-    double            norm;
+    Epetra_Vector b(Copy, map, const_cast<double *>(right_hand_side.data()));
+    Epetra_Vector x(View, map, solution.data());
+    double        norm;
     b.Norm2(&norm);
     x.PutScalar(0);
     if (norm == 0)

@@ -79,11 +79,10 @@ namespace fiberloom
   Biaxial::curve(const State                   &state,
                  const std::vector<BodyVector> &reactions) const
   {
-    return {{"strain_warp", state.load * warp_strain},
-            {"strain_fill", state.load * fill_strain},
-            {"force_warp[N]",
-             TowEnds::pull(scene, Tow::Family::warp, reactions)},
-            {"force_fill[N]",
-             TowEnds::pull(scene, Tow::Family::fill, reactions)}};
+    return {
+      {"strain_warp", state.load * warp_strain},
+      {"strain_fill", state.load * fill_strain},
+      {"force_warp[N]", TowEnds::pull(scene, Tow::Family::warp, reactions)},
+      {"force_fill[N]", TowEnds::pull(scene, Tow::Family::fill, reactions)}};
   }
 } // namespace fiberloom

@@ -112,7 +112,9 @@ namespace fiberloom
       {
         held_nodes.push_back(find_nodes(drive, scene.mesh));
         functions.push_back(std::make_unique<DriveFunctions>(drive));
-        all.insert(all.end(), held_nodes.back().begin(), held_nodes.back().end());
+        all.insert(all.end(),
+                   held_nodes.back().begin(),
+                   held_nodes.back().end());
       }
     std::sort(all.begin(), all.end());
     if (std::adjacent_find(all.begin(), all.end()) != all.end())
@@ -222,8 +224,7 @@ namespace fiberloom
           row.emplace_back(name + "_" + axes[c] + "[mm]",
                            state.placements[d].position[c]);
         for (unsigned int c = 0; c < 3; ++c)
-          row.emplace_back(name + "_force_" + axes[c] + "[N]",
-                           reactions[d][c]);
+          row.emplace_back(name + "_force_" + axes[c] + "[N]", reactions[d][c]);
         for (unsigned int c = 0; c < 3; ++c)
           row.emplace_back(name + "_moment_" + axes[c] + "[N.mm]",
                            reactions[d][3 + c]);

@@ -59,11 +59,10 @@ namespace fiberloom
   double
   Relax::first_step(const State &state) const
   {
-    const bool any = std::any_of(state.contact.zones.begin(),
-                                 state.contact.zones.end(),
-                                 [](const ContactZone &zone) {
-                                   return zone.offset > 0;
-                                 });
+    const bool any =
+      std::any_of(state.contact.zones.begin(),
+                  state.contact.zones.end(),
+                  [](const ContactZone &zone) { return zone.offset > 0; });
     return any ? 1. / scene.parameters.relax.steps : 1.;
   }
 

@@ -25,9 +25,8 @@ namespace fiberloom
     double thickness[2] = {0, 0};
     for (const Tow &tow : scene.fibers.tows)
       {
-        double &largest =
-          thickness[tow.family == Tow::Family::warp ? 0 : 1];
-        largest = std::max(largest, tow.half_thickness);
+        double &largest = thickness[tow.family == Tow::Family::warp ? 0 : 1];
+        largest         = std::max(largest, tow.half_thickness);
       }
     full_overlap = thickness[0] + thickness[1];
   }
@@ -67,7 +66,7 @@ namespace fiberloom
     ContactRule rule;
     rule.vertical        = true;
     rule.allowed_overlap = (1 - load) * full_overlap;
-    rule.friction = scene.parameters.contact.friction_coefficient > 0;
+    rule.friction        = scene.parameters.contact.friction_coefficient > 0;
     return rule;
   }
 

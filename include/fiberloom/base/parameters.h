@@ -74,9 +74,9 @@ namespace fiberloom
     double friction_coefficient = 0.2;
     double largest_penetration  = 0; // over the radius; automatic: by accuracy
     double stations_per_element = 0; // automatic: by accuracy
-    double initial_stiffness    = 0.2;  // over E r
-    double elastic_slip         = 0.05; // over the radius
-    double search_margin        = 0.3;  // over the radius
+    double initial_stiffness    = 0.2;         // over E r
+    double elastic_slip         = 0.05;        // over the radius
+    double search_margin        = 0.3;         // over the radius
     std::string self_contact    = "automatic"; // automatic | true | false
   };
 
@@ -120,10 +120,10 @@ namespace fiberloom
     unsigned int largest_normal_passes     = 15;
     unsigned int largest_newton_iterations = 40;
     unsigned int largest_loop_iterations   = 70;
-    double       damping = 1e-3; // of the one-loop tangent, over E r
-    unsigned int line_search_from          = 5;
-    double       growth                    = 1.3;
-    unsigned int largest_cuts              = 8;
+    double       damping          = 1e-3; // of the one-loop tangent, over E r
+    unsigned int line_search_from = 5;
+    double       growth           = 1.3;
+    unsigned int largest_cuts     = 8;
     std::string  factor_precision = "automatic"; // automatic | double | single
   };
 

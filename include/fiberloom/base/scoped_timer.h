@@ -21,9 +21,9 @@ namespace fiberloom
 
     ~ScopedTimer()
     {
-      seconds += std::chrono::duration<double>(
-                   std::chrono::steady_clock::now() - start)
-                   .count();
+      seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+          .count();
     }
 
   private:

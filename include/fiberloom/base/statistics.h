@@ -24,17 +24,17 @@ namespace fiberloom
   struct StageStatistics
   {
     std::string  name;
-    bool         converged                      = false;
-    unsigned int increments                     = 0;
-    unsigned int rejected_increments            = 0;
-    unsigned int contact_updates                = 0;
-    unsigned int normal_updates                 = 0;
-    unsigned int newton_iterations              = 0;
-    unsigned int linear_iterations              = 0;
-    unsigned int factorizations                 = 0;
+    bool         converged                       = false;
+    unsigned int increments                      = 0;
+    unsigned int rejected_increments             = 0;
+    unsigned int contact_updates                 = 0;
+    unsigned int normal_updates                  = 0;
+    unsigned int newton_iterations               = 0;
+    unsigned int linear_iterations               = 0;
+    unsigned int factorizations                  = 0;
     double       largest_penetration_over_radius = 0;
-    unsigned int crossings_out_of_order         = 0;
-    std::size_t  contact_elements               = 0;
+    unsigned int crossings_out_of_order          = 0;
+    std::size_t  contact_elements                = 0;
     Seconds      seconds;
   };
 

@@ -32,7 +32,8 @@ namespace fiberloom
     using Vector = Eigen::Matrix<double, 27, 1>;
     using Matrix = Eigen::Matrix<double, 27, 27>;
 
-    /** @p reference : stress-free dofs; throws InputError if it is degenerate. */
+    /** @p reference : stress-free dofs; throws InputError if it is degenerate.
+     */
     BeamElement(const Vector &reference,
                 const double  radius,
                 const double  young_modulus,
@@ -79,7 +80,8 @@ namespace fiberloom
       std::array<double, 3>    shape, derivative;
     };
 
-    /** Section strains interpolated from the nodes, the others from @p vectors . */
+    /** Section strains interpolated from the nodes, the others from @p vectors
+     * . */
     void
     strains(const std::array<Vector3, 5> &vectors,
             const Matrix3                &section_strain,
@@ -99,8 +101,8 @@ namespace fiberloom
     double                    radius;
     double                    reference_length;
     std::array<GaussPoint, 2> points;
-    Matrix3                   node_gram; // e11, e22, e12 (rows) at the nodes (columns)
-    Matrix3                   hourglass_stiffness;
+    Matrix3 node_gram; // e11, e22, e12 (rows) at the nodes (columns)
+    Matrix3 hourglass_stiffness;
   };
 } // namespace fiberloom
 

@@ -6,10 +6,10 @@
 
 #include <fiberloom/base/vector_types.h>
 
+#include <fiberloom/fabric/fiber_set.h>
+
 #include <fiberloom/beams/beam_element.h>
 #include <fiberloom/beams/shape_functions.h>
-
-#include <fiberloom/fabric/fiber_set.h>
 
 #include <Eigen/Geometry>
 
@@ -22,7 +22,7 @@ namespace fiberloom
   struct Section
   {
     Vector3 center;
-    Vector3 center_derivative; // by the parameter u, see FiberMesh
+    Vector3 center_derivative;  // by the parameter u, see FiberMesh
     Vector3 vector_1, vector_2; // r g1, r g2 [mm]
 
     /** Continuous over element ends, unlike the centre line's own tangent. */

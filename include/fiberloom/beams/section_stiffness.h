@@ -4,9 +4,9 @@
 #ifndef fiberloom_beams_section_stiffness_h
 #define fiberloom_beams_section_stiffness_h
 
-#include <Eigen/Core>
-
 #include <fiberloom/base/vector_types.h>
+
+#include <Eigen/Core>
 
 #include <array>
 
@@ -36,7 +36,21 @@ namespace fiberloom
 
     /** Indices of the pair of vectors of each generalised strain. */
     static constexpr std::array<std::array<unsigned int, 2>, n_strains> pairs{
-      {{{0, 0}}, {{1, 1}}, {{2, 2}}, {{3, 3}}, {{4, 4}}, {{0, 1}}, {{0, 2}}, {{0, 3}}, {{0, 4}}, {{1, 2}}, {{1, 3}}, {{1, 4}}, {{2, 3}}, {{2, 4}}, {{3, 4}}}};
+      {{{0, 0}},
+       {{1, 1}},
+       {{2, 2}},
+       {{3, 3}},
+       {{4, 4}},
+       {{0, 1}},
+       {{0, 2}},
+       {{0, 3}},
+       {{0, 4}},
+       {{1, 2}},
+       {{1, 3}},
+       {{1, 4}},
+       {{2, 3}},
+       {{2, 4}},
+       {{3, 4}}}};
 
     /** Straight reference, in closed form. */
     static Matrix

@@ -14,7 +14,8 @@ namespace fiberloom
   /** Parameters u on two fibers. */
   using ParameterPair = std::array<double, 2>;
 
-  /** Closest points of the segments a0 a1 and b0 b1, as fractions, and their distance. */
+  /** Closest points of the segments a0 a1 and b0 b1, as fractions, and their
+   * distance. */
   struct SegmentDistance
   {
     double s, t, distance;

@@ -21,25 +21,27 @@ namespace fiberloom
   struct ContactElement
   {
     // who
-    unsigned int                         zone; // index into ContactState::zones
-    std::array<unsigned int, 2>          fibers;
-    std::array<ElementPoint, 2>          points;
-    std::array<unsigned int, 2>          first_nodes;
-    std::array<std::array<double, 3>, 2> weights; // shape functions at the points
-    std::array<double, 2>                radii;   // [mm]
+    unsigned int                zone; // index into ContactState::zones
+    std::array<unsigned int, 2> fibers;
+    std::array<ElementPoint, 2> points;
+    std::array<unsigned int, 2> first_nodes;
+    std::array<std::array<double, 3>, 2>
+                          weights; // shape functions at the points
+    std::array<double, 2> radii;   // [mm]
 
     // normal contact
-    Vector3 normal;         // unit, from the second fiber to the first
-    double  offset;         // added to the gap: overlap that is still allowed [mm]
-    double  stiffness;      // penalty [N/mm]
+    Vector3 normal;    // unit, from the second fiber to the first
+    double  offset;    // added to the gap: overlap that is still allowed [mm]
+    double  stiffness; // penalty [N/mm]
     double  regularization; // penetration up to which the law is quadratic [mm]
 
     // friction; a limit of 0 means none
-    double                               friction_limit; // mu f* [N]
-    double                               elastic_slip;   // [mm]
-    Vector3                              slip_before;    // reversible slip at the start of the increment [mm]
-    Vector3                              separation_before; // of the two particles then [mm]
-    std::array<std::array<double, 2>, 2> particles; // (z1, z2)/r of each particle, on the unit circle
+    double  friction_limit; // mu f* [N]
+    double  elastic_slip;   // [mm]
+    Vector3 slip_before; // reversible slip at the start of the increment [mm]
+    Vector3 separation_before; // of the two particles then [mm]
+    std::array<std::array<double, 2>, 2>
+      particles; // (z1, z2)/r of each particle, on the unit circle
 
     enum class Status
     {

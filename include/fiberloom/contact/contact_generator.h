@@ -70,7 +70,8 @@ namespace fiberloom
            const ContactRule           &rule,
            const ContactState          &state) const;
 
-    /** Offsets of the zones that keep crossing contacts as they are at @p q . */
+    /** Offsets of the zones that keep crossing contacts as they are at @p q .
+     */
     void
     absorb_overlap(const std::vector<ContactElement> &vertical_contacts,
                    const DofVector                   &q,
@@ -112,7 +113,7 @@ namespace fiberloom
     successor(const std::array<unsigned int, 2>          &pair,
               const std::array<std::array<double, 2>, 2> &range,
               const ContactState                         &before,
-              const bool default_class) const;
+              const bool                                  default_class) const;
 
     void
     add_parallel_stations(const ProximityZone         &proximity,

@@ -8,7 +8,8 @@
 
 namespace fiberloom
 {
-  /** Energy [N mm], force [N] and its derivative [N/mm] of a one-dimensional law. */
+  /** Energy [N mm], force [N] and its derivative [N/mm] of a one-dimensional
+   * law. */
   struct LawValue
   {
     double energy;

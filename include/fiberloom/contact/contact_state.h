@@ -18,8 +18,9 @@ namespace fiberloom
    */
   struct ContactZone
   {
-    std::array<unsigned int, 2>          fibers;
-    std::array<std::array<double, 2>, 2> range; // parameters u, begin and end, on each fiber
+    std::array<unsigned int, 2> fibers;
+    std::array<std::array<double, 2>, 2>
+           range;             // parameters u, begin and end, on each fiber
     bool   crossing  = false; // one station at the mutual closest point
     int    side      = 0;     // crossing: sign of normal . (t_first x t_second)
     double stiffness = 0;     // [N/mm] per station
@@ -30,7 +31,7 @@ namespace fiberloom
     serialize(Archive &ar, const unsigned int)
     {
       for (unsigned int s = 0; s < 2; ++s)
-        ar &fibers[s] &range[s][0] &range[s][1];
+        ar &fibers[s] & range[s][0] & range[s][1];
       ar &crossing &side &stiffness &offset;
     }
   };
@@ -47,13 +48,14 @@ namespace fiberloom
     serialize(Archive &ar, const unsigned int)
     {
       for (unsigned int s = 0; s < 2; ++s)
-        ar &fibers[s] &u[s];
+        ar &fibers[s] & u[s];
       for (unsigned int i = 0; i < 3; ++i)
         ar &slip[i];
     }
   };
 
-  /** All that contact remembers; part of the state. Both sorted by fibers, then u. */
+  /** All that contact remembers; part of the state. Both sorted by fibers, then
+   * u. */
   struct ContactState
   {
     std::vector<ContactZone>     zones;

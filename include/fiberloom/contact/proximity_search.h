@@ -36,7 +36,8 @@ namespace fiberloom
                     const double     skin,
                     const bool       self_contact);
 
-    /** False where no two pieces could ever be a pair: then nothing is searched. */
+    /** False where no two pieces could ever be a pair: then nothing is
+     * searched. */
     bool
     is_needed() const
     {

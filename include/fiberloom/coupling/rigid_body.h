@@ -18,7 +18,7 @@ namespace fiberloom
   /** Where a rigid body is: part of the state. */
   struct Placement
   {
-    Vector3            position = Vector3::Zero(); // of its reference point [mm]
+    Vector3 position = Vector3::Zero(); // of its reference point [mm]
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
 
     template <class Archive>
@@ -62,10 +62,12 @@ namespace fiberloom
   struct BodyTarget
   {
     Placement                   placement; // for prescribed dofs
-    Eigen::Matrix<double, 6, 1> load = Eigen::Matrix<double, 6, 1>::Zero(); // [N], [N mm]
+    Eigen::Matrix<double, 6, 1> load =
+      Eigen::Matrix<double, 6, 1>::Zero(); // [N], [N mm]
   };
 
-  /** The rigid bodies of a stage and the nodes they hold, at most one body a node. */
+  /** The rigid bodies of a stage and the nodes they hold, at most one body a
+   * node. */
   struct Supports
   {
     std::vector<RigidBody>  bodies;

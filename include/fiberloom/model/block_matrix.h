@@ -39,7 +39,8 @@ namespace fiberloom
     void
     add_to_diagonal(const double value);
 
-    /** Where the block (row, column) is stored, row by row; the row is owned. */
+    /** Where the block (row, column) is stored, row by row; the row is owned.
+     */
     double *
     block(const unsigned int row, const unsigned int column);
 
@@ -79,7 +80,8 @@ namespace fiberloom
     Apply(const Epetra_MultiVector &x, Epetra_MultiVector &y) const override;
 
     int
-    ApplyInverse(const Epetra_MultiVector &, Epetra_MultiVector &) const override
+    ApplyInverse(const Epetra_MultiVector &,
+                 Epetra_MultiVector &) const override
     {
       return -1;
     }

@@ -49,7 +49,9 @@ namespace fiberloom
 
     template <class Matrix>
     void
-    set_stiffness(const unsigned int a, const unsigned int b, const Matrix &value)
+    set_stiffness(const unsigned int a,
+                  const unsigned int b,
+                  const Matrix      &value)
     {
       matrix.block<9, 9>(9 * a, 9 * b) = value;
     }
@@ -96,13 +98,13 @@ namespace fiberloom
       return a < n_nodes ? 9 : 6;
     }
 
-    const unsigned int             n_nodes;
-    const Supports                &supports;
-    std::vector<unsigned int>      blocks; // nodes, then bodies
-    std::vector<const Attachment *> held;   // by node, null if free
-    std::vector<unsigned int>      body_position; // of a held node, in blocks
-    Eigen::VectorXd                forces;
-    Eigen::MatrixXd                matrix;
+    const unsigned int              n_nodes;
+    const Supports                 &supports;
+    std::vector<unsigned int>       blocks;        // nodes, then bodies
+    std::vector<const Attachment *> held;          // by node, null if free
+    std::vector<unsigned int>       body_position; // of a held node, in blocks
+    Eigen::VectorXd                 forces;
+    Eigen::MatrixXd                 matrix;
   };
 } // namespace fiberloom
 

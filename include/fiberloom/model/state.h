@@ -29,10 +29,10 @@ namespace fiberloom
     std::vector<Placement> stage_start_placements;
     ContactState           contact;
 
-    unsigned int stage      = 0; // index into the stages of the scene
-    unsigned int increment  = 0; // accepted in the stage
-    double       load       = 0; // of the stage, from 0 to 1
-    double       step       = 0; // of the load, to be tried next; 0: the stage's first step
+    unsigned int stage     = 0; // index into the stages of the scene
+    unsigned int increment = 0; // accepted in the stage
+    double       load      = 0; // of the stage, from 0 to 1
+    double step = 0; // of the load, to be tried next; 0: the stage's first step
     std::vector<std::string> stages_done;
     std::vector<std::string> scene_stages; // of the run that wrote it
 
@@ -45,7 +45,7 @@ namespace fiberloom
       q.resize(n);
       for (auto &value : q)
         ar &value;
-      ar &placements &stage_start_placements &contact;
+      ar &placements &stage_start_placements        &contact;
       ar &stage &increment &load &step &stages_done &scene_stages;
     }
   };

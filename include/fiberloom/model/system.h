@@ -95,8 +95,7 @@ namespace fiberloom
 
     /** Whether some prescribed dof is not where its target is. */
     bool
-    moves(const State                   &state,
-          const std::vector<BodyTarget> &targets) const;
+    moves(const State &state, const std::vector<BodyTarget> &targets) const;
 
     /**
      * The whole increment from the solution of the linear system (owned part)
@@ -105,7 +104,8 @@ namespace fiberloom
     Eigen::VectorXd
     gather(const std::vector<double> &owned_solution) const;
 
-    /** Largest change of a node's x0, r g1 or r g2 over its radius by @p increment . */
+    /** Largest change of a node's x0, r g1 or r g2 over its radius by @p
+     * increment . */
     double
     largest_move(const Eigen::VectorXd &increment) const;
 
@@ -157,10 +157,10 @@ namespace fiberloom
     BlockLayout      numbering;
     BlockMatrix      system_matrix;
 
-    std::vector<int>  attachment_of_node; // -1: free
-    std::vector<bool> fixed;              // by dof
-    std::vector<bool> has_fixed;          // by block
-    double            stiffness;
+    std::vector<int>                       attachment_of_node; // -1: free
+    std::vector<bool>                      fixed;              // by dof
+    std::vector<bool>                      has_fixed;          // by block
+    double                                 stiffness;
     std::vector<std::vector<unsigned int>> element_pattern; // owned rows
 
     std::vector<double>     residual; // owned dofs

@@ -31,9 +31,9 @@ namespace fiberloom
     ~DirectFactor();
 
     /**
-     * Factorises @p matrix ; analyses anew when the pattern has changed. Returns the number of negative pivots, or -1 when
-     * the factorisation failed (singular). Throws StageFailure when memory
-     * runs out.
+     * Factorises @p matrix ; analyses anew when the pattern has changed.
+     * Returns the number of negative pivots, or -1 when the factorisation
+     * failed (singular). Throws StageFailure when memory runs out.
      */
     int
     factorize(const BlockMatrix &matrix);

@@ -35,12 +35,12 @@ namespace fiberloom
      * References are kept. @p watch is called before each Newton iteration
      * and may throw.
      */
-    Equilibrium(const FiberMesh                          &mesh,
-                const Parameters                         &parameters,
-                ContactGenerator                         &generator,
-                System                                   &system,
-                StageStatistics                          &statistics,
-                std::function<void()>                     watch);
+    Equilibrium(const FiberMesh      &mesh,
+                const Parameters     &parameters,
+                ContactGenerator     &generator,
+                System               &system,
+                StageStatistics      &statistics,
+                std::function<void()> watch);
 
     /** What an increment is asked to satisfy. */
     struct Problem
@@ -86,7 +86,8 @@ namespace fiberloom
     bool
     is_solved(State &state, const Problem &problem);
 
-    /** See ContactGenerator::absorb_overlap(), at the vertical contacts of @p state . */
+    /** See ContactGenerator::absorb_overlap(), at the vertical contacts of @p
+     * state . */
     void
     absorb_overlap(State &state, const State &before);
 
@@ -154,16 +155,16 @@ namespace fiberloom
     double
     tolerance() const;
 
-    const FiberMesh                         &mesh;
-    const Parameters                        &parameters;
-    ContactGenerator                        &generator;
-    System                                  &system;
-    LinearSolver                             linear_solver;
-    StageStatistics                         &statistics;
-    std::function<void()>                    watch;
-    std::vector<ContactElement>              contact_elements;
-    double                                   damping     = 0; // over E r
-    double                                   last_factor = 1; // of a Newton step
+    const FiberMesh            &mesh;
+    const Parameters           &parameters;
+    ContactGenerator           &generator;
+    System                     &system;
+    LinearSolver                linear_solver;
+    StageStatistics            &statistics;
+    std::function<void()>       watch;
+    std::vector<ContactElement> contact_elements;
+    double                      damping     = 0; // over E r
+    double                      last_factor = 1; // of a Newton step
   };
 } // namespace fiberloom
 

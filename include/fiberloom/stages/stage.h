@@ -22,20 +22,22 @@
 
 namespace fiberloom
 {
-  /** One row of loading_curve.csv: columns in order, name with unit and value. */
+  /** One row of loading_curve.csv: columns in order, name with unit and value.
+   */
   using CurveRow = std::vector<std::pair<std::string, double>>;
 
-  /** What a stage shows to output after each accepted increment, on every rank. */
+  /** What a stage shows to output after each accepted increment, on every rank.
+   */
   struct IncrementReport
   {
-    const std::string                          &stage;
-    const State                                &state;
-    const std::vector<ContactElement>          &contacts;
-    const Supports                             &supports;
-    const std::vector<BodyVector>              &reactions; // per body [N], [N mm]
-    CurveRow                                    curve;
-    const StageStatistics                      &statistics; // of the stage so far
-    bool                                        last; // of the stage
+    const std::string                 &stage;
+    const State                       &state;
+    const std::vector<ContactElement> &contacts;
+    const Supports                    &supports;
+    const std::vector<BodyVector>     &reactions; // per body [N], [N mm]
+    CurveRow                           curve;
+    const StageStatistics             &statistics; // of the stage so far
+    bool                               last;       // of the stage
   };
 
   /** What every stage is made from. */
@@ -72,7 +74,8 @@ namespace fiberloom
     virtual void
     begin(State &state, Equilibrium &equilibrium) const = 0;
 
-    /** What the bodies are to do at @p load ; @p start are their placements at its start. */
+    /** What the bodies are to do at @p load ; @p start are their placements at
+     * its start. */
     virtual std::vector<BodyTarget>
     targets(const std::vector<Placement> &start, const double load) const = 0;
 
@@ -108,7 +111,8 @@ namespace fiberloom
 
     /** The stage's columns of the loading curve. */
     virtual CurveRow
-    curve(const State &state, const std::vector<BodyVector> &reactions) const = 0;
+    curve(const State                   &state,
+          const std::vector<BodyVector> &reactions) const = 0;
 
   protected:
     const Scene scene;
