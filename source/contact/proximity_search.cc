@@ -62,7 +62,6 @@ namespace fiberloom
   void
   ProximitySearch::search(const DofVector &q)
   {
-    ++searches;
     searched_at = q;
     found.clear();
     const auto point = [&](const unsigned int node) {

@@ -52,12 +52,6 @@ namespace fiberloom
     const std::vector<CandidatePair> &
     candidates(const DofVector &q);
 
-    unsigned int
-    n_searches() const
-    {
-      return searches;
-    }
-
   private:
     void
     search(const DofVector &q);
@@ -68,7 +62,6 @@ namespace fiberloom
     const bool                 self_contact;
     DofVector                  searched_at;
     std::vector<CandidatePair> found;
-    unsigned int               searches = 0;
   };
 } // namespace fiberloom
 

@@ -86,8 +86,10 @@ namespace fiberloom
     bool
     is_solved(State &state, const Problem &problem);
 
-    /** See ContactGenerator::absorb_overlap(), at the vertical contacts of @p
-     * state . */
+    /**
+     * See ContactGenerator::absorb_overlap(), at the vertical contacts of
+     * @p state .
+     */
     void
     absorb_overlap(State &state, const State &before);
 
@@ -100,12 +102,6 @@ namespace fiberloom
 
     double
     largest_penetration() const; // over the radius
-
-    unsigned int
-    newton_iterations() const
-    {
-      return statistics.newton_iterations;
-    }
 
   private:
     void
