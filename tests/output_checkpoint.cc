@@ -58,7 +58,7 @@ namespace
            s.placements[1].rotation.coeffs() ==
              t.placements[1].rotation.coeffs() &&
            z.fibers == y.fibers && z.range == y.range && z.side == y.side &&
-           z.stiffness == y.stiffness && z.offset == y.offset &&
+           z.stiffness == y.stiffness &&
            s.contact.history[0].slip == t.contact.history[0].slip &&
            s.contact.history[0].u == t.contact.history[0].u &&
            s.stage == t.stage && s.increment == t.increment &&

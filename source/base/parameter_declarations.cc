@@ -259,18 +259,9 @@ namespace fiberloom
 
     void
     declare_tests(ParameterCatalogue &catalogue,
-                  RelaxParameters    &relax,
                   BiaxialParameters  &biaxial,
                   LoadParameters     &load)
     {
-      catalogue.enter_section("Relax");
-      catalogue.add(
-        "Steps",
-        relax.steps,
-        "Steps in which the overlap left from weaving goes to zero.",
-        Allowed::whole(1, most_iterations));
-      catalogue.leave_section();
-
       catalogue.enter_section("Biaxial");
       catalogue.add("Largest strain",
                     biaxial.largest_strain,
@@ -431,7 +422,7 @@ namespace fiberloom
       declare_drive(catalogue, drive);
     declare_contact(catalogue, contact);
     declare_weaving(catalogue, weaving);
-    declare_tests(catalogue, relax, biaxial, load);
+    declare_tests(catalogue, biaxial, load);
     declare_solver(catalogue, solver);
     declare_output(catalogue, output);
   }

@@ -118,7 +118,6 @@ namespace fiberloom
     zone.stiffness = stiffness;
     zone.crossing  = predecessor ? predecessor->crossing : default_class;
     zone.side      = predecessor ? predecessor->side : 0;
-    zone.offset    = predecessor ? predecessor->offset : 0;
     if (const int order = superimposition(fibers, pair[0], pair[1]))
       zone.side = order;
     return zone;
@@ -136,7 +135,7 @@ namespace fiberloom
     before.zones.swap(state.zones);
     std::vector<ContactElement> contacts;
     add_proximity_zones(q, rule, before, state, contacts);
-    if (rule.vertical)
+    if (rule.from_above)
       add_woven_crossings(q, rule, before, state, contacts);
 
     // Sorted by fibers, so that predecessors are found by bisection.
@@ -192,7 +191,7 @@ namespace fiberloom
         const unsigned int zone     = state.zones.size() - 1;
 
         ContactElement contact = new_element(zone, u, state);
-        set_normal(contact, q, rule, state);
+        set_normal(contact, q, state);
         contact.offset = rule.allowed_overlap;
         if (contact_gap(contact, section_pair(contact, q)) < margin)
           contacts.push_back(contact);
@@ -216,7 +215,7 @@ namespace fiberloom
       {
         const auto &pair  = proximity.fibers;
         const int   order = superimposition(fibers, pair[0], pair[1]);
-        if (rule.vertical && order != 0)
+        if (rule.from_above && order != 0)
           continue;
 
         ParameterPair u = proximity.closest().u;
@@ -246,7 +245,6 @@ namespace fiberloom
 
         u = mutual_closest_point(mesh, q, pair, u);
         contacts.push_back(new_element(index, u, state));
-        contacts.back().offset = rule.offset_factor * zone.offset;
         if (zone.side == 0)
           {
             const SectionPair x = section_pair(contacts.back(), q);
@@ -306,32 +304,15 @@ namespace fiberloom
 
 
 
-  bool
-  ContactGenerator::is_vertical(const ContactElement &contact,
-                                const ContactRule    &rule) const
-  {
-    return rule.vertical &&
-           superimposition(fibers, contact.fibers[0], contact.fibers[1]) != 0;
-  }
-
-
-
   void
   ContactGenerator::set_normal(ContactElement     &contact,
                                const DofVector    &q,
-                               const ContactRule  &rule,
                                const ContactState &state) const
   {
-    const ContactZone &zone = state.zones[contact.zone];
-    if (is_vertical(contact, rule))
-      {
-        contact.normal = zone.side * Vector3::UnitZ();
-        return;
-      }
-
-    const Section first  = mesh.section(q, contact.points[0]);
-    const Section second = mesh.section(q, contact.points[1]);
-    const Vector3 t1 = first.tangent(), t2 = second.tangent();
+    const ContactZone &zone   = state.zones[contact.zone];
+    const Section      first  = mesh.section(q, contact.points[0]);
+    const Section      second = mesh.section(q, contact.points[1]);
+    const Vector3      t1 = first.tangent(), t2 = second.tangent();
     if (zone.crossing)
       {
         contact.normal = zone.side * t1.cross(t2).normalized();
@@ -389,7 +370,7 @@ namespace fiberloom
   {
     for (ContactElement &contact : contacts)
       {
-        set_normal(contact, q, rule, state);
+        set_normal(contact, q, state);
         contact.stiffness   = state.zones[contact.zone].stiffness;
         const SectionPair x = section_pair(contact, q);
         contact.gap         = contact_gap(contact, x);
@@ -409,33 +390,6 @@ namespace fiberloom
               state.history, contact, mesh.parameter(contact.points[0])))
           contact.slip_before =
             history->slip - contact.normal * contact.normal.dot(history->slip);
-      }
-  }
-
-
-
-  void
-  ContactGenerator::absorb_overlap(
-    const std::vector<ContactElement> &vertical_contacts,
-    const DofVector                   &q,
-    ContactState                      &state) const
-  {
-    ContactRule standard;
-    for (const ContactElement &vertical : vertical_contacts)
-      {
-        ContactZone &zone = state.zones[vertical.zone];
-        if (!zone.crossing)
-          continue;
-        const ParameterPair u =
-          mutual_closest_point(mesh,
-                               q,
-                               vertical.fibers,
-                               {{mesh.parameter(vertical.points[0]),
-                                 mesh.parameter(vertical.points[1])}});
-        ContactElement contact = new_element(vertical.zone, u, state);
-        set_normal(contact, q, standard, state);
-        const double gap = contact_gap(contact, section_pair(contact, q));
-        zone.offset      = std::max(0., -gap - std::max(0., -vertical.gap));
       }
   }
 

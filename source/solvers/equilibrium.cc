@@ -27,9 +27,9 @@ namespace fiberloom
     // A tight fabric, whose contact forces are large, needs more.
     constexpr double stronger_damping = 8;
 
-    // A loop on normals that contracts slower than this, from this pass on.
-    constexpr double       slow_ratio     = .5;
-    constexpr unsigned int slow_from_pass = 3;
+    // A loop on normals that does not even contract by this in so many passes.
+    constexpr double       slow_ratio  = .5;
+    constexpr unsigned int slow_passes = 4;
 
     constexpr double       diverged         = 1e8;
     constexpr double       shift_over_Er    = 1e-4;
@@ -263,37 +263,23 @@ namespace fiberloom
 
 
   bool
-  Equilibrium::is_solved(State &state, const Problem &problem)
-  {
-    generate(state, problem);
-    return measure(state, problem) < tolerance() &&
-           !system.moves(state, problem.targets);
-  }
-
-
-
-  void
-  Equilibrium::absorb_overlap(State &state, const State &before)
-  {
-    ContactRule vertical;
-    vertical.vertical = true;
-    generate(state, {before, {}, vertical});
-    generator.absorb_overlap(contact_elements, state.q, state.contact);
-  }
-
-
-
-  bool
   Equilibrium::solve(State &state, const Problem &problem)
   {
-    if (solve_nested(state, problem))
+    const Outcome nested = solve_nested(state, problem);
+    if (nested == Outcome::converged)
       return true;
+    if (contact_elements.empty())
+      return false;
 
-    // Frozen normals let soft modes of a tow run away; the damped loop, whose
-    // normals follow every iteration, starts over from the last good state.
+    // Frozen normals let soft modes of a tow run away, or never settle. In the
+    // damped loop normals follow every iteration: from where slow loops got,
+    // else from the last good state.
+    bool keep = nested == Outcome::slow;
     for (const double damping : dampings())
       {
-        state = problem.before;
+        if (!keep)
+          state = problem.before;
+        keep = false;
         if (solve_in_one_loop(state,
                               problem,
                               parameters.solver.largest_loop_iterations,
@@ -314,7 +300,7 @@ namespace fiberloom
 
 
 
-  bool
+  Equilibrium::Outcome
   Equilibrium::solve_nested(State &state, const Problem &problem)
   {
     damping = 0;
@@ -322,8 +308,8 @@ namespace fiberloom
          ++pass)
       {
         generate(state, problem);
-        bool   settled  = false;
-        double previous = 0;
+        bool                settled = false;
+        std::vector<double> residuals; // of the passes on normals
         for (unsigned int normals = 0;
              normals < parameters.solver.largest_normal_passes && !settled;
              ++normals)
@@ -336,12 +322,13 @@ namespace fiberloom
             if (settled)
               {
                 if (normals == 0 && !needs_stiffening())
-                  return true;
+                  return Outcome::converged;
                 break;
               }
-            if (normals >= slow_from_pass && residual > slow_ratio * previous)
-              return false;
-            previous = residual;
+            residuals.push_back(residual);
+            if (normals > slow_passes &&
+                residual > slow_ratio * residuals[normals - slow_passes])
+              return Outcome::slow;
 
             double inner = tolerance();
             if (!contact_elements.empty() &&
@@ -350,15 +337,15 @@ namespace fiberloom
                                  std::min(tightest_inner, tolerance()),
                                  loosest_inner);
             if (!newton(state, problem, inner))
-              return false;
+              return Outcome::failed;
           }
         if (!settled)
-          return false;
+          return Outcome::slow;
         if (contact_elements.empty())
-          return true;
+          return Outcome::converged;
         adapt_stiffness(state);
       }
-    return false;
+    return Outcome::slow;
   }
 
 

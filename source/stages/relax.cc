@@ -18,18 +18,9 @@ namespace fiberloom
 
 
   void
-  Relax::begin(State &state, Equilibrium &equilibrium) const
+  Relax::begin(State &state, Equilibrium &) const
   {
     TowEnds::place(scene, state);
-    const State          before = state;
-    Equilibrium::Problem problem{before, targets(state.placements, 1), rule(1)};
-    if (!equilibrium.is_solved(state, problem))
-      {
-        state = before;
-        equilibrium.absorb_overlap(state, before);
-      }
-    else
-      state = before;
   }
 
 
@@ -46,24 +37,19 @@ namespace fiberloom
 
 
   ContactRule
-  Relax::rule(const double load) const
+  Relax::rule(const double) const
   {
     ContactRule rule;
-    rule.offset_factor = 1 - load;
-    rule.friction      = scene.parameters.contact.friction_coefficient > 0;
+    rule.friction = scene.parameters.contact.friction_coefficient > 0;
     return rule;
   }
 
 
 
   double
-  Relax::first_step(const State &state) const
+  Relax::first_step(const State &) const
   {
-    const bool any =
-      std::any_of(state.contact.zones.begin(),
-                  state.contact.zones.end(),
-                  [](const ContactZone &zone) { return zone.offset > 0; });
-    return any ? 1. / scene.parameters.relax.steps : 1.;
+    return 1;
   }
 
 

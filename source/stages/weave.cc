@@ -11,7 +11,7 @@ namespace fiberloom
 {
   namespace
   {
-    // With standard normals, after the overlap has gone.
+    // With contacts by distance, after the overlap has gone.
     constexpr unsigned int frictionless_iterations = 2;
   } // namespace
 
@@ -64,7 +64,7 @@ namespace fiberloom
   Weave::rule(const double load) const
   {
     ContactRule rule;
-    rule.vertical        = true;
+    rule.from_above      = true;
     rule.allowed_overlap = (1 - load) * full_overlap;
     rule.friction        = scene.parameters.contact.friction_coefficient > 0;
     return rule;
@@ -118,8 +118,8 @@ namespace fiberloom
   {
     const WeavingParameters &weaving = scene.parameters.weaving;
     Equilibrium::Problem     problem{before, targets(state.placements, 1), {}};
-    problem.rule.vertical = true;
-    const double step     = weaving.step * radius;
+    problem.rule.from_above = true;
+    const double step       = weaving.step * radius;
     for (double overlap = full_overlap; overlap > 0;)
       {
         overlap                      = std::max(0., overlap - step);

@@ -88,11 +88,6 @@ namespace fiberloom
     unsigned int fast_iterations_per_step = 3;
   };
 
-  struct RelaxParameters
-  {
-    unsigned int steps = 5;
-  };
-
   struct BiaxialParameters
   {
     double      largest_strain = 0.02;
@@ -155,7 +150,6 @@ namespace fiberloom
     std::vector<DriveParameters> drives;
     ContactParameters            contact;
     WeavingParameters            weaving;
-    RelaxParameters              relax;
     BiaxialParameters            biaxial;
     LoadParameters               load;
     SolverParameters             solver;

@@ -19,12 +19,11 @@ namespace fiberloom
   struct ContactRule
   {
     /**
-     * Fibers of crossing tows meet where they cross as seen from above, with a
-     * vertical normal given by the superimposition order (section 4.1).
+     * Fibers of crossing tows meet where they cross as seen from above, be
+     * they apart or deep in each other (section 4.1).
      */
-    bool   vertical        = false;
-    double allowed_overlap = 0; // of crossing tows while vertical [mm]
-    double offset_factor   = 0; // of the zones' offsets, standard normals
+    bool   from_above      = false;
+    double allowed_overlap = 0; // of crossing tows, if from above [mm]
     bool   friction        = false;
   };
 
@@ -69,13 +68,6 @@ namespace fiberloom
            const DofVector             &q_before,
            const ContactRule           &rule,
            const ContactState          &state) const;
-
-    /** Offsets of the zones that keep crossing contacts as they are at @p q .
-     */
-    void
-    absorb_overlap(const std::vector<ContactElement> &vertical_contacts,
-                   const DofVector                   &q,
-                   ContactState                      &state) const;
 
     /** Whether the scene has anything to search for. */
     bool
@@ -125,11 +117,7 @@ namespace fiberloom
     void
     set_normal(ContactElement     &contact,
                const DofVector    &q,
-               const ContactRule  &rule,
                const ContactState &state) const;
-
-    bool
-    is_vertical(const ContactElement &contact, const ContactRule &rule) const;
 
     const FiberSet          &fibers;
     const FiberMesh         &mesh;

@@ -24,7 +24,6 @@ namespace fiberloom
     bool   crossing  = false; // one station at the mutual closest point
     int    side      = 0;     // crossing: sign of normal . (t_first x t_second)
     double stiffness = 0;     // [N/mm] per station
-    double offset    = 0;     // overlap still allowed [mm]
 
     template <class Archive>
     void
@@ -32,7 +31,7 @@ namespace fiberloom
     {
       for (unsigned int s = 0; s < 2; ++s)
         ar &fibers[s] & range[s][0] & range[s][1];
-      ar &crossing &side &stiffness &offset;
+      ar &crossing &side &stiffness;
     }
   };
 

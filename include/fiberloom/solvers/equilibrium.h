@@ -52,9 +52,9 @@ namespace fiberloom
     };
 
     /**
-     * Moves @p state to equilibrium by the nested loops or, where a loop on
-     * normals does not contract, by solve_in_one_loop(). False, with @p state
-     * spoilt, if neither does it.
+     * Moves @p state to equilibrium by the nested loops or, where they do not
+     * contract, by solve_in_one_loop(). False, with @p state spoilt, if
+     * neither does it.
      */
     bool
     solve(State &state, const Problem &problem);
@@ -81,17 +81,6 @@ namespace fiberloom
             const Problem     &problem,
             const unsigned int n,
             const double       damping);
-
-    /** Whether @p state satisfies the criterion as it is. */
-    bool
-    is_solved(State &state, const Problem &problem);
-
-    /**
-     * See ContactGenerator::absorb_overlap(), at the vertical contacts of
-     * @p state .
-     */
-    void
-    absorb_overlap(State &state, const State &before);
 
     /** Contacts of the last solve. */
     const std::vector<ContactElement> &
@@ -136,7 +125,14 @@ namespace fiberloom
                  const Eigen::VectorXd &increment,
                  const double           factor) const;
 
-    bool
+    enum class Outcome
+    {
+      converged,
+      slow, // towards equilibrium, but not fast enough
+      failed
+    };
+
+    Outcome
     solve_nested(State &state, const Problem &problem);
 
     bool

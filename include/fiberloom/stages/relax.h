@@ -9,10 +9,8 @@
 namespace fiberloom
 {
   /**
-   * From the woven state to equilibrium with standard contact normals and
-   * friction, tow ends free along the tows. A vertical gap between inclined
-   * fibers is an overlap along the standard normal: each crossing gets the
-   * offset that keeps its force, and offsets go to zero over the stage.
+   * From the woven state to equilibrium with contacts found by distance and
+   * friction, tow ends free along the tows.
    */
   class Relax : public Stage
   {
@@ -32,7 +30,6 @@ namespace fiberloom
     ContactRule
     rule(const double load) const override;
 
-    /** One step if no contact has an offset. */
     double
     first_step(const State &state) const override;
 

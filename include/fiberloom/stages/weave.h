@@ -10,9 +10,10 @@ namespace fiberloom
 {
   /**
    * Section 4.1 of the paper: from flat tows that interpenetrate, fibers of
-   * crossing tows are moved past each other by vertical contact normals, the
-   * overlap that is allowed between them shrinking from the tows' thickness to
-   * nothing. Tow ends are free along the tows.
+   * crossing tows are moved past each other by contacts paired as seen from
+   * above, on the sides that the superimposition order says, the overlap that
+   * is allowed between them shrinking from the tows' thickness to nothing. Tow
+   * ends are free along the tows.
    */
   class Weave : public Stage
   {
