@@ -24,9 +24,10 @@ namespace
   const ContactRule standard;
 
   ContactParameters
-  contact_parameters()
+  contact_parameters(const double line_stiffness)
   {
     ContactParameters parameters;
+    parameters.line_stiffness       = line_stiffness;
     parameters.largest_penetration  = .02;
     parameters.stations_per_element = 2;
     return parameters;
@@ -37,18 +38,20 @@ namespace
   {
     const FiberSet          fibers;
     const FiberMesh         mesh;
-    const ContactParameters parameters = contact_parameters();
+    const ContactParameters parameters;
     ContactGenerator        generator;
     DofVector               q;
     ContactState            state;
 
-    explicit Model(const std::vector<Fiber> &list)
-      : Model(loose_fibers(list))
+    explicit Model(const std::vector<Fiber> &list,
+                   const double              line_stiffness = 0)
+      : Model(loose_fibers(list), line_stiffness)
     {}
 
-    explicit Model(const FiberSet &set)
+    explicit Model(const FiberSet &set, const double line_stiffness = 0)
       : fibers(set)
       , mesh(fibers)
+      , parameters(contact_parameters(line_stiffness))
       , generator(fibers, mesh, parameters)
       , q(mesh.reference())
     {}
@@ -299,8 +302,8 @@ namespace
         model.q[9 * (line.first_node + n) + 2] = 1.95 + height;
     };
     model.generate();
-    checks.equal("stiffness at first, over E r",
-                 model.state.zones[0].stiffness,
+    checks.equal("stiffness of half an element at first, over E r",
+                 5 * model.state.zones[0].stiffness,
                  model.parameters.initial_stiffness);
     model.state.zones[0].stiffness = 7;
     lift_middle(4);
@@ -369,6 +372,40 @@ namespace
     parameters.resolve();
     resolve_fabric(parameters);
     return build_fabric(parameters);
+  }
+
+  /**
+   * Rigid straight cylinders at an angle, from crossing to parallel: the force
+   * of a line penalty on the intermediate geometry,
+   * k d cot(a/2) (D asinh(x0/d) - x0) with d = D - p and x0^2 = D^2 - d^2,
+   * whichever class the contact has, at any place of the stations.
+   */
+  void
+  check_angles(Checks &checks)
+  {
+    const double D = 2, p = .02, d = D - p, x0 = std::sqrt(D * D - d * d);
+    const double exact_factor = d * (D * std::asinh(x0 / d) - x0);
+    double       error = 0, jump = 0, previous = 0;
+    for (double angle = 90; angle > .9; angle /= 1.02)
+      {
+        const double  half = .5 * angle * M_PI / 180;
+        const Vector3 along(std::cos(half), std::sin(half), 0),
+          other(std::cos(half), -std::sin(half), 0);
+        const Vector3 shift(.37 * angle / 90, 0, d);
+        Model         model(
+          {straight_fiber(-200 * along, 200 * along, 20),
+                   straight_fiber(shift - 200 * other, shift + 200 * other, 20)},
+          1.);
+        double force = 0;
+        for (const ContactElement &contact : model.generate())
+          force -= contact.normal_force * contact.normal.z();
+        const double ratio = force * std::tan(half) / exact_factor;
+        error              = std::max(error, std::abs(ratio - 1));
+        jump = previous == 0 ? 0 : std::max(jump, std::abs(ratio - previous));
+        previous = ratio;
+      }
+    checks.below("force at any angle", error, .02);
+    checks.below("jump of the force over one degree in 50", jump, .02);
   }
 
   int
@@ -463,6 +500,7 @@ main()
   check_self_contact(checks);
   check_inheritance(checks);
   check_history(checks);
+  check_angles(checks);
   check_weaving(checks);
   check_change_of_search(checks);
 }

@@ -60,6 +60,14 @@ namespace
       "normal law",
       [](const double p) { return normal_law(p, 3, .4); },
       .4);
+    check_law(
+      checks,
+      "crossing law",
+      [](const double p) { return crossing_law(p, 3, .4); },
+      .4);
+    checks.equal("crossing law without a quadratic part",
+                 crossing_law(.3, 3, 0).force,
+                 2 * std::pow(.3, 1.5));
     checks.equal("no force across a gap", normal_law(-.1, 3, .4).force, 0);
     checks.equal("the slope is the stiffness",
                  normal_law(2, 3, .4).derivative,
@@ -93,7 +101,10 @@ namespace
     ContactElement contact;
     contact.normal         = Vector3(.1, -.15, 1).normalized();
     contact.offset         = 0;
-    contact.stiffness      = 3;
+    contact.stiffness      = 1.5;
+    contact.length         = 2;
+    contact.spread         = 0;
+    contact.skewness       = {{1, 1}};
     contact.regularization = .02;
     contact.friction_limit = 0;
     contact.elastic_slip   = .05;
@@ -146,6 +157,13 @@ namespace
     const SectionPair x = sample_sections();
     check_element(checks, "quadratic part", sample_contact(.01), x);
     check_element(checks, "linear part", sample_contact(.1), x);
+
+    ContactElement skew = sample_contact(.1);
+    skew.spread         = 1.5;
+    skew.skewness       = {{1.01, 1.03}};
+    skew.offset         = 0;
+    skew.offset         = -.1 - contact_gap(skew, x);
+    check_element(checks, "crossing", skew, x);
 
     ContactElement contact = sample_contact(.1);
     contact.friction_limit = .06;

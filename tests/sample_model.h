@@ -75,6 +75,9 @@ struct SampleModel
         contact.normal         = (x.head<3>() - x.segment<3>(9)).normalized();
         contact.offset         = 0;
         contact.stiffness      = .3;
+        contact.length         = 1;
+        contact.spread         = 0;
+        contact.skewness       = {{1, 1}};
         contact.regularization = .005;
         contact.friction_limit = friction_limit;
         contact.elastic_slip   = .05;

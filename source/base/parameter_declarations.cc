@@ -197,8 +197,15 @@ namespace fiberloom
       catalogue.add("Initial stiffness",
                     contact.initial_stiffness,
                     "Penalty stiffness of a new contact, over Young's modulus "
-                    "times the fiber radius.",
+                    "times the fiber radius: of a station half an element long "
+                    "or, at the largest penetration, of a crossing.",
                     Allowed::above(0));
+      catalogue.add("Line stiffness",
+                    contact.line_stiffness,
+                    "Penalty stiffness per length of contact [N/mm^2], kept as "
+                    "it is, of a linear law; 0: from the initial stiffness, "
+                    "increased until the largest penetration is met.",
+                    Allowed::at_least(0));
       catalogue.add(
         "Elastic slip",
         contact.elastic_slip,

@@ -20,6 +20,15 @@ namespace fiberloom
     // parallel, and below which a parallel one becomes crossing.
     constexpr double parallel_above = .95, crossing_below = .85;
 
+    // Fibers that lie along each other at an angle, as in a strand, are close
+    // for longer than straight ones that cross: parallel beyond the second
+    // multiple of that length, crossing below the first one.
+    constexpr double crossing_length = 1.5, parallel_length = 2;
+
+    // Stations over half the length on which two straight fibers overlap.
+    constexpr double       stations_over_overlap = 3;
+    constexpr unsigned int finest_level          = 6; // of halved spacings
+
     double
     largest_radius(const FiberMesh &mesh)
     {
@@ -44,6 +53,13 @@ namespace fiberloom
     sign(const double value)
     {
       return value >= 0 ? 1 : -1;
+    }
+
+    /** Of the intermediate geometry. */
+    Vector3
+    mean_direction(const Vector3 &t1, const Vector3 &t2)
+    {
+      return (t1 + sign(t1.dot(t2)) * t2).normalized();
     }
   } // namespace
 
@@ -86,7 +102,12 @@ namespace fiberloom
     contact.normal         = Vector3::Zero();
     contact.offset         = 0;
     contact.stiffness      = of.stiffness;
-    contact.regularization = parameters.largest_penetration * radius / 4;
+    contact.length         = 0;
+    contact.spread         = 0;
+    contact.skewness       = {{1, 1}};
+    contact.regularization = parameters.line_stiffness > 0 ?
+                               0. :
+                               parameters.largest_penetration * radius / 4;
     contact.friction_limit = 0;
     contact.elastic_slip   = parameters.elastic_slip * radius;
     contact.slip_before.setZero();
@@ -97,27 +118,47 @@ namespace fiberloom
 
 
 
+  double
+  ContactGenerator::initial_stiffness(const std::array<unsigned int, 2> &pair,
+                                      const bool crossing) const
+  {
+    if (parameters.line_stiffness > 0)
+      return parameters.line_stiffness;
+    const auto  &first = mesh.lines()[pair[0]], &second = mesh.lines()[pair[1]];
+    const double stiffness = parameters.initial_stiffness *
+                             std::min(first.young_modulus * first.radius,
+                                      second.young_modulus * second.radius);
+    if (!crossing)
+      return stiffness / (.5 * first.length / first.n_elements);
+
+    const double penetration =
+      parameters.largest_penetration * std::min(first.radius, second.radius);
+    const double spread = crossing_spread(0, {{first.radius, second.radius}});
+    return stiffness * penetration / crossing_law(penetration, spread, 0).force;
+  }
+
+
+
   ContactZone
   ContactGenerator::successor(const std::array<unsigned int, 2>          &pair,
                               const std::array<std::array<double, 2>, 2> &range,
                               const ContactState &before,
-                              const bool          default_class) const
+                              const bool          crossing_if_new) const
   {
-    const auto &first = mesh.lines()[pair[0]], &second = mesh.lines()[pair[1]];
-    double      stiffness = 0;
-    const ContactZone *predecessor =
-      find_predecessor(before.zones, pair, range, stiffness);
-    if (predecessor == nullptr)
-      stiffness = parameters.initial_stiffness *
-                  std::min(first.young_modulus * first.radius,
-                           second.young_modulus * second.radius);
-
     ContactZone zone;
-    zone.fibers    = pair;
-    zone.range     = range;
-    zone.stiffness = stiffness;
-    zone.crossing  = predecessor ? predecessor->crossing : default_class;
-    zone.side      = predecessor ? predecessor->side : 0;
+    zone.fibers = pair;
+    zone.range  = range;
+    if (const ContactZone *predecessor =
+          find_predecessor(before.zones, pair, range, zone.stiffness))
+      {
+        zone.crossing = predecessor->crossing;
+        zone.side     = predecessor->side;
+      }
+    else
+      {
+        zone.crossing  = crossing_if_new;
+        zone.stiffness = initial_stiffness(pair, crossing_if_new);
+      }
     if (const int order = superimposition(fibers, pair[0], pair[1]))
       zone.side = order;
     return zone;
@@ -224,15 +265,17 @@ namespace fiberloom
         const Vector3 t2 =
           mesh.section(q, mesh.locate(pair[1], u[1])).tangent();
         const double cosine = std::abs(t1.dot(t2));
+        const double length = length_over_crossing(proximity, cosine);
 
         ContactZone zone =
           successor(pair,
                     {{proximity.range(0), proximity.range(1)}},
                     before,
-                    cosine < .5 * (parallel_above + crossing_below));
-        if (cosine > parallel_above)
+                    cosine < .5 * (parallel_above + crossing_below) &&
+                      length < .5 * (parallel_length + crossing_length));
+        if (cosine > parallel_above || length > parallel_length)
           zone.crossing = false;
-        else if (cosine < crossing_below)
+        else if (cosine < crossing_below && length < crossing_length)
           zone.crossing = true;
         state.zones.push_back(zone);
         const unsigned int index = state.zones.size() - 1;
@@ -256,6 +299,77 @@ namespace fiberloom
 
 
 
+  double
+  ContactGenerator::length_over_crossing(const ProximityZone &zone,
+                                         const double         cosine) const
+  {
+    const auto &first  = mesh.lines()[zone.fibers[0]],
+               &second = mesh.lines()[zone.fibers[1]];
+    const auto   range = zone.range(0);
+    const double piece = first.length / first.n_elements;
+    // Straight fibers at the angle a drift apart by 2 tan(a/2) per length.
+    const double crossing =
+      crossing_spread(cosine, {{first.radius, second.radius}}) *
+      std::sqrt(parameters.search_margin * largest_radius(mesh));
+    return (range[1] - range[0]) * piece / (crossing + piece);
+  }
+
+
+
+  std::optional<double>
+  ContactGenerator::cut_second(const ProximityZone &zone,
+                               const double         u,
+                               const DofVector     &q) const
+  {
+    // The closest match on this piece is where the search starts.
+    const ProximityZone::Match *nearest = nullptr;
+    for (const auto &match : zone.matches)
+      if (match.pieces[0] == static_cast<unsigned int>(2 * u) &&
+          (nearest == nullptr || match.distance < nearest->distance))
+        nearest = &match;
+    if (nearest == nullptr)
+      return {};
+    return cut_by_plane(mesh,
+                        q,
+                        mesh.section(q, mesh.locate(zone.fibers[0], u)),
+                        zone.fibers[1],
+                        nearest->u[1]);
+  }
+
+
+
+  unsigned int
+  ContactGenerator::stations_in_cell(const ProximityZone &zone,
+                                     const double         u,
+                                     const double         cell,
+                                     const DofVector     &q) const
+  {
+    const auto cut = cut_second(zone, u, q);
+    if (!cut)
+      return 1;
+    const auto &first  = mesh.lines()[zone.fibers[0]],
+               &second = mesh.lines()[zone.fibers[1]];
+    const double cosine =
+      mesh.section(q, mesh.locate(zone.fibers[0], u))
+        .tangent()
+        .dot(mesh.section(q, mesh.locate(zone.fibers[1], *cut)).tangent());
+    const double overlap =
+      .5 * crossing_spread(cosine, {{first.radius, second.radius}}) *
+      std::sqrt(parameters.largest_penetration *
+                std::min(first.radius, second.radius));
+    double       spacing = cell * first.length / first.n_elements;
+    unsigned int parts   = 1;
+    for (unsigned int level = 0; level < finest_level; ++level)
+      if (spacing * stations_over_overlap > overlap)
+        {
+          spacing /= 2;
+          parts *= 2;
+        }
+    return parts;
+  }
+
+
+
   void
   ContactGenerator::add_parallel_stations(
     const ProximityZone         &proximity,
@@ -268,38 +382,44 @@ namespace fiberloom
     const double reach = mesh.lines()[pair[0]].radius +
                          mesh.lines()[pair[1]].radius +
                          parameters.search_margin * largest_radius(mesh);
-    const double       spacing = 1. / parameters.stations_per_element; // in u
-    const auto         range   = proximity.range(0);
-    const unsigned int before  = contacts.size();
+    const double       cell   = 1. / parameters.stations_per_element; // in u
+    const auto         range  = proximity.range(0);
+    const unsigned int before = contacts.size();
 
-    for (int k = std::ceil(range[0] / spacing - .5);
-         (k + .5) * spacing < range[1];
-         ++k)
+    for (int k = std::floor(range[0] / cell); k * cell < range[1]; ++k)
       {
-        const double u = (k + .5) * spacing;
-        // The closest match on this piece is where the search starts.
-        const ProximityZone::Match *nearest = nullptr;
-        for (const auto &match : proximity.matches)
-          if (match.pieces[0] == static_cast<unsigned int>(2 * u) &&
-              (nearest == nullptr || match.distance < nearest->distance))
-            nearest = &match;
-        if (nearest == nullptr)
-          continue;
-
-        const Section first = mesh.section(q, mesh.locate(pair[0], u));
-        const auto cut = cut_by_plane(mesh, q, first, pair[1], nearest->u[1]);
-        if (cut &&
-            (mesh.section(q, mesh.locate(pair[1], *cut)).center - first.center)
-                .norm() < reach)
-          contacts.push_back(new_element(zone, {{u, *cut}}, state));
+        const unsigned int parts =
+          stations_in_cell(proximity, (k + .5) * cell, cell, q);
+        for (unsigned int part = 0; part < parts; ++part)
+          {
+            const double u = (k + (part + .5) / parts) * cell;
+            if (u < range[0] || u >= range[1])
+              continue;
+            const auto cut = cut_second(proximity, u, q);
+            if (!cut)
+              continue;
+            const Section first  = mesh.section(q, mesh.locate(pair[0], u));
+            const Section second = mesh.section(q, mesh.locate(pair[1], *cut));
+            if ((second.center - first.center).norm() > reach)
+              continue;
+            contacts.push_back(new_element(zone, {{u, *cut}}, state));
+            contacts.back().length =
+              std::abs(first.center_derivative.dot(
+                mean_direction(first.tangent(), second.tangent()))) *
+              cell / parts;
+          }
       }
 
     // A zone too short for the spacing still has its closest point.
     if (contacts.size() == before)
-      contacts.push_back(
-        new_element(zone,
-                    mutual_closest_point(mesh, q, pair, proximity.closest().u),
-                    state));
+      {
+        contacts.push_back(new_element(
+          zone,
+          mutual_closest_point(mesh, q, pair, proximity.closest().u),
+          state));
+        const auto &line       = mesh.lines()[pair[0]];
+        contacts.back().length = cell * line.length / line.n_elements;
+      }
   }
 
 
@@ -316,16 +436,22 @@ namespace fiberloom
     if (zone.crossing)
       {
         contact.normal = zone.side * t1.cross(t2).normalized();
+        contact.spread = crossing_spread(t1.dot(t2), contact.radii);
         return;
       }
 
-    const Vector3 tangent = (t1 + sign(t1.dot(t2)) * t2).normalized();
+    const Vector3 tangent = mean_direction(t1, t2);
     Vector3       across  = first.center - second.center;
     across -= tangent * tangent.dot(across);
     // Coincident axes: any direction across will do to part them.
-    contact.normal = across.norm() > 1e-10 * contact.radii[0] ?
-                       across.normalized() :
-                       first.vector_1.normalized();
+    contact.normal      = across.norm() > 1e-10 * contact.radii[0] ?
+                            across.normalized() :
+                            first.vector_1.normalized();
+    const auto skewness = [&](const Vector3 &t) {
+      const double along = contact.normal.dot(t);
+      return 1 / std::sqrt(1 - along * along);
+    };
+    contact.skewness = {{skewness(t1), skewness(t2)}};
   }
 
 
@@ -371,12 +497,10 @@ namespace fiberloom
     for (ContactElement &contact : contacts)
       {
         set_normal(contact, q, state);
-        contact.stiffness   = state.zones[contact.zone].stiffness;
-        const SectionPair x = section_pair(contact, q);
-        contact.gap         = contact_gap(contact, x);
-        contact.normal_force =
-          normal_law(-contact.gap, contact.stiffness, contact.regularization)
-            .force;
+        contact.stiffness    = state.zones[contact.zone].stiffness;
+        const SectionPair x  = section_pair(contact, q);
+        contact.gap          = contact_gap(contact, x);
+        contact.normal_force = contact_normal_law(contact, -contact.gap).force;
         place_particles(contact, x);
         if (!rule.friction)
           continue;

@@ -3,6 +3,7 @@
 
 #include <fiberloom/contact/contact_law.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fiberloom
@@ -22,6 +23,59 @@ namespace fiberloom
     return {stiffness * (p * (p - p0) / 2 + p0 * p0 / 6),
             stiffness * (p - p0 / 2),
             stiffness};
+  }
+
+
+
+  LawValue
+  crossing_law(const double penetration,
+               const double stiffness,
+               const double regularization)
+  {
+    const double p = penetration, p0 = regularization;
+    if (p <= 0)
+      return {0, 0, 0};
+    const double k = stiffness * std::sqrt(p);
+
+    // Over t = x / sqrt(2 D p) the overlap is p (1 - t^2): integrals over the
+    // inner part, where the law is linear, and the outer one.
+    const double t  = (p > p0) ? std::sqrt(1 - p0 / p) : 0;
+    const double t3 = t * t * t, t5 = t3 * t * t, t7 = t5 * t * t;
+    const double first  = t - t3 / 3;              // of 1 - t^2
+    const double second = t - 2 * t3 / 3 + t5 / 5; // of (1 - t^2)^2
+    const double third  = t - t3 + 3 * t5 / 5 - t7 / 7;
+    LawValue     value{p * (p * second - p0 * first) / 2 + p0 * p0 / 6 * t,
+                   p * first - p0 / 2 * t,
+                   t};
+    if (p0 > 0)
+      {
+        value.energy += p * p * p / (6 * p0) * (16. / 35 - third);
+        value.force += p * p / (2 * p0) * (8. / 15 - second);
+        value.derivative += p / p0 * (2. / 3 - first);
+      }
+    return {k * value.energy, k * value.force, k * value.derivative};
+  }
+
+
+
+  double
+  crossing_spread(const double cosine, const std::array<double, 2> &radii)
+  {
+    const double c = std::min(std::abs(cosine), 1 - 1e-15);
+    return std::sqrt((1 + c) / (1 - c) * 2 * (radii[0] + radii[1]));
+  }
+
+
+
+  LawValue
+  contact_normal_law(const ContactElement &contact, const double penetration)
+  {
+    return contact.spread > 0 ? crossing_law(penetration,
+                                             contact.stiffness * contact.spread,
+                                             contact.regularization) :
+                                normal_law(penetration,
+                                           contact.stiffness * contact.length,
+                                           contact.regularization);
   }
 
 
@@ -54,14 +108,19 @@ namespace fiberloom
 
   namespace
   {
-    /** Components of the normal along the section vectors, and their norm. */
+    /**
+     * Components of the normal along the section vectors, and their norm, the
+     * distance of the section's border from its centre.
+     */
     struct Support
     {
       double v1, v2, h;
 
-      Support(const Vector3 &normal, const SectionPair &x, const unsigned int s)
-        : v1(normal.dot(x.segment<3>(9 * s + 3)))
-        , v2(normal.dot(x.segment<3>(9 * s + 6)))
+      Support(const ContactElement &contact,
+              const SectionPair    &x,
+              const unsigned int    s)
+        : v1(contact.skewness[s] * contact.normal.dot(x.segment<3>(9 * s + 3)))
+        , v2(contact.skewness[s] * contact.normal.dot(x.segment<3>(9 * s + 6)))
         , h(std::hypot(v1, v2))
       {}
     };
@@ -129,8 +188,7 @@ namespace fiberloom
   contact_gap(const ContactElement &contact, const SectionPair &x)
   {
     return contact.normal.dot(x.head<3>() - x.segment<3>(9)) -
-           Support(contact.normal, x, 0).h - Support(contact.normal, x, 1).h +
-           contact.offset;
+           Support(contact, x, 0).h - Support(contact, x, 1).h + contact.offset;
   }
 
 
@@ -138,10 +196,8 @@ namespace fiberloom
   double
   contact_energy(const ContactElement &contact, const SectionPair &x)
   {
-    double energy = normal_law(-contact_gap(contact, x),
-                               contact.stiffness,
-                               contact.regularization)
-                      .energy;
+    double energy =
+      contact_normal_law(contact, -contact_gap(contact, x)).energy;
     if (contact.friction_limit > 0)
       energy += friction_law(trial_slip(contact, x).norm(),
                              contact.friction_limit,
@@ -158,10 +214,9 @@ namespace fiberloom
                    SectionPair       &residual,
                    SectionPair2      *tangent)
   {
-    const Vector3 &N = contact.normal;
-    contact.gap      = contact_gap(contact, x);
-    const LawValue law =
-      normal_law(-contact.gap, contact.stiffness, contact.regularization);
+    const Vector3 &N       = contact.normal;
+    contact.gap            = contact_gap(contact, x);
+    const LawValue law     = contact_normal_law(contact, -contact.gap);
     contact.normal_force   = law.force;
     contact.friction_force = Vector3::Zero();
     contact.slip           = Vector3::Zero();
@@ -180,16 +235,17 @@ namespace fiberloom
         Eigen::Matrix<double, 6, 1> g;
         for (unsigned int s = 0; s < 2; ++s)
           {
-            const Support support(N, x, s);
-            g.segment<3>(3 * s) << (s == 0 ? 1. : -1.), -support.v1 / support.h,
-              -support.v2 / support.h;
+            const Support support(contact, x, s);
+            const double  skewness = contact.skewness[s];
+            const double  n1       = support.v1 / support.h,
+                         n2        = support.v2 / support.h;
+            g.segment<3>(3 * s) << (s == 0 ? 1. : -1.), -skewness * n1,
+              -skewness * n2;
             if (tangent != nullptr)
               {
-                const double n1       = support.v1 / support.h,
-                             n2       = support.v2 / support.h,
-                             c        = law.force / support.h;
-                const Matrix3      NN = c * N * N.transpose();
-                const unsigned int k  = 9 * s + 3;
+                const double  c  = law.force * skewness * skewness / support.h;
+                const Matrix3 NN = c * N * N.transpose();
+                const unsigned int k = 9 * s + 3;
                 tangent->block<3, 3>(k, k) += n2 * n2 * NN;
                 tangent->block<3, 3>(k, k + 3) -= n1 * n2 * NN;
                 tangent->block<3, 3>(k + 3, k) -= n1 * n2 * NN;
@@ -219,7 +275,7 @@ namespace fiberloom
   {
     for (unsigned int s = 0; s < 2; ++s)
       {
-        const Support support(contact.normal, x, s);
+        const Support support(contact, x, s);
         const double  sign   = (s == 0) ? -1 : 1;
         contact.particles[s] = {
           {sign * support.v1 / support.h, sign * support.v2 / support.h}};

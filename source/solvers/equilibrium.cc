@@ -140,8 +140,9 @@ namespace fiberloom
   bool
   Equilibrium::needs_stiffening() const
   {
-    return largest_penetration() >
-           penetration_tolerance * parameters.contact.largest_penetration;
+    return parameters.contact.line_stiffness == 0 &&
+           largest_penetration() >
+             penetration_tolerance * parameters.contact.largest_penetration;
   }
 
 
@@ -343,7 +344,8 @@ namespace fiberloom
           return Outcome::slow;
         if (contact_elements.empty())
           return Outcome::converged;
-        adapt_stiffness(state);
+        if (needs_stiffening())
+          adapt_stiffness(state);
       }
     return Outcome::slow;
   }

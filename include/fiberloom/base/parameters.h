@@ -74,7 +74,8 @@ namespace fiberloom
     double friction_coefficient = 0.2;
     double largest_penetration  = 0; // over the radius; automatic: by accuracy
     double stations_per_element = 0; // automatic: by accuracy
-    double initial_stiffness    = 0.2;         // over E r
+    double initial_stiffness    = 0.2; // over E r
+    double line_stiffness       = 0; // [N/mm^2], automatic: as penetration asks
     double elastic_slip         = 0.05;        // over the radius
     double search_margin        = 0.3;         // over the radius
     std::string self_contact    = "automatic"; // automatic | true | false

@@ -32,8 +32,11 @@ namespace fiberloom
     // normal contact
     Vector3 normal;    // unit, from the second fiber to the first
     double  offset;    // added to the gap: overlap that is still allowed [mm]
-    double  stiffness; // penalty [N/mm]
+    double  stiffness; // line penalty, force over length and gap [N/mm^2]
+    double  length;    // of contact that the station stands for [mm]
+    double  spread;    // of a crossing instead of a length, else 0 [mm^(1/2)]
     double  regularization; // penetration up to which the law is quadratic [mm]
+    std::array<double, 2> skewness; // of the cut sections over the round ones
 
     // friction; a limit of 0 means none
     double  friction_limit; // mu f* [N]

@@ -9,6 +9,7 @@
 #include <fiberloom/contact/proximity_search.h>
 #include <fiberloom/contact/proximity_zones.h>
 
+#include <optional>
 #include <vector>
 
 namespace fiberloom
@@ -33,11 +34,14 @@ namespace fiberloom
    * lines) with stations, at each station the plane across it that cuts both
    * fibers, and the two particles on the sections' borders.
    *
-   * A zone is parallel or crossing, by the angle of the fibers with
-   * hysteresis. Parallel: stations at material abscissae (k + 1/2) h of the
-   * first fiber. Crossing: one station at the mutual closest point, with the
-   * normal across both fibers, whose sign is kept: the direction from centre
-   * to centre turns when fibers slide although the true normal does not.
+   * A zone is parallel or crossing, by the angle of the fibers and the length
+   * on which they are close, with hysteresis. Parallel: stations at material
+   * abscissae (k + 1/2) h of the first fiber, closer where the angle asks for
+   * it, each with the length it stands for. Crossing: one station at the
+   * mutual closest point, with the force integrated over the overlap of
+   * straight fibers, and the normal across both fibers, whose sign is kept:
+   * the direction from centre to centre turns when fibers slide although the
+   * true normal does not. Both are one line penalty.
    * Tangents are r g1 x r g2, which is continuous over element ends.
    */
   class ContactGenerator
@@ -100,12 +104,41 @@ namespace fiberloom
                         ContactState                &state,
                         std::vector<ContactElement> &contacts);
 
+    /** Of a new zone [N/mm^2]. */
+    double
+    initial_stiffness(const std::array<unsigned int, 2> &pair,
+                      const bool                         crossing) const;
+
     /** A zone with what it inherits, its range and class given. */
     ContactZone
     successor(const std::array<unsigned int, 2>          &pair,
               const std::array<std::array<double, 2>, 2> &range,
               const ContactState                         &before,
-              const bool                                  default_class) const;
+              const bool crossing_if_new) const;
+
+    /**
+     * Length of @p zone over that of two straight fibers that touch at the
+     * angle of @p cosine .
+     */
+    double
+    length_over_crossing(const ProximityZone &zone, const double cosine) const;
+
+    /** Where the plane across the intermediate geometry at @p u of the first
+     * fiber cuts the second one. */
+    std::optional<double>
+    cut_second(const ProximityZone &zone,
+               const double         u,
+               const DofVector     &q) const;
+
+    /**
+     * A power of two, as many as a cell of @p cell around @p u needs: fibers
+     * at an angle overlap on a length that shrinks with it.
+     */
+    unsigned int
+    stations_in_cell(const ProximityZone &zone,
+                     const double         u,
+                     const double         cell,
+                     const DofVector     &q) const;
 
     void
     add_parallel_stations(const ProximityZone         &proximity,

@@ -19,12 +19,36 @@ namespace fiberloom
 
   /**
    * Penalty law of figure 7 of the paper: linear with slope @p stiffness ,
-   * quadratic up to the penetration @p regularization .
+   * quadratic up to the penetration @p regularization , 0 for a linear law.
    */
   LawValue
   normal_law(const double penetration,
              const double stiffness,
              const double regularization);
+
+  /**
+   * That law, as a force per length, over the length on which two crossing
+   * fibers overlap, given the penetration p where they are closest. At an
+   * offset x across the fibers the overlap is p - x^2 / 2D, so that with the
+   * @p stiffness [N/mm^(3/2)], which is that per length times
+   * crossing_spread(), the linear law gives stiffness 2/3 p^(3/2).
+   */
+  LawValue
+  crossing_law(const double penetration,
+               const double stiffness,
+               const double regularization);
+
+  /**
+   * Length of contact over the square root of the penetration [mm^(1/2)] of
+   * two fibers at the angle a = acos( @p cosine ), whose @p radii add up to D:
+   * cot(a/2) sqrt(2 D).
+   */
+  double
+  crossing_spread(const double cosine, const std::array<double, 2> &radii);
+
+  /** Whichever of the two acts in @p contact . */
+  LawValue
+  contact_normal_law(const ContactElement &contact, const double penetration);
 
   /**
    * Coulomb's law with a reversible elastic slip, figure 7 of the paper: the
@@ -48,8 +72,9 @@ namespace fiberloom
   section_pair(const ContactElement &contact, const DofVector &q);
 
   /**
-   * Gap along the normal: N.(c1 - c2) - h1 - h2 + offset, where
-   * h = sqrt((N.r g1)^2 + (N.r g2)^2) is the support function of the section.
+   * Gap along the normal: N.(c1 - c2) - s1 h1 - s2 h2 + offset, where
+   * h = sqrt((N.r g1)^2 + (N.r g2)^2) is the support function of the section
+   * and the skewness s accounts for a normal that is not across the fiber.
    * The particle in contact is where the support is attained, for any
    * placement of the section; one frozen between updates lets the loop on
    * normals diverge, because fibers roll.

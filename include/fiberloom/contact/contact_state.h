@@ -23,7 +23,7 @@ namespace fiberloom
            range;             // parameters u, begin and end, on each fiber
     bool   crossing  = false; // one station at the mutual closest point
     int    side      = 0;     // crossing: sign of normal . (t_first x t_second)
-    double stiffness = 0;     // [N/mm] per station
+    double stiffness = 0;     // line penalty [N/mm^2]
 
     template <class Archive>
     void
