@@ -74,6 +74,9 @@ check_files()
                                    "subsection Drive d\nset Ends = 0 start\nend\n"
                                    "subsection Fibers\nset Polylines = ";
   const std::string       line_8 = "line 7: Fibers/Polylines";
+  const std::string       fibers = "set Stages = load\nset Drives = d\n"
+                                   "subsection Drive d\nset Ends = 0 start\nend\n"
+                                   "subsection Fibers\n";
   const std::vector<Case> cases  = {
      {"set Accurracy = fine\n", {"line 1", "Accurracy", "is Accuracy meant"}},
      {"# one\n\nset A = 1 # two\n", {"line 3", "entry A"}},
@@ -163,7 +166,67 @@ check_files()
      {lines + "0 0 0, 1 0 0\nset Radius = 0\nend\n",
       {"line 8", "Fibers/Radius"}},
      {lines + "0 0 0, 1 0 0\nend\nset Stages = weave\n",
-      {"line 9", "Stages", "weave needs a fabric"}}};
+      {"line 9", "Stages", "weave needs a fabric"}},
+     {lines + "0 0 0, 1 0 0\nset Curves = s; 0; 0\nend\n",
+      {"line 8: Fibers/Curves", "Polylines is given, too"}},
+     {lines + "0 0 0, 1 0 0\nset Radius = 0.1, 0.2\nend\n",
+      {"line 8: Fibers/Radius", "2 values", "allowed: 1"}},
+     {lines + "0 0 0, 1 0 0\nset Radius = 0.1, -0.2\nend\n",
+      {"line 8: Fibers/Radius", "above 0"}},
+     {lines + "0 0 0, 1 0 0\nset Young modulus =\nend\n",
+      {"line 8: Fibers/Young modulus", "above 0"}},
+     {lines + "0 0 0, 1 0 0; 0 1 0, 1 1 0; 1 0.0005 0, 0 0.0005 0\nend\n",
+      {line_8, "fibers 0 and 2 lie in each other", "allowed"}},
+     {lines + "0 0 0, 1 0 0\nset Interpolation = round\nend\n",
+      {"line 8: Fibers/Interpolation", "straight, smooth"}},
+     {lines + "0 0 0, 1 0 0\nset Stress free = bent\nend\n",
+      {"line 8: Fibers/Stress free", "as given, straight"}},
+     {lines + "0 0 0, 1 0 0, 0 0.1 0\nset Interpolation = smooth\nend\n",
+      {line_8, "right angle", "more elements"}},
+     {lines + "0 0 0, 0.01 0 0, 0.01 0.01 0\nend\n",
+      {line_8, "bends with a radius", "allowed: more than", "0.01"}},
+     {fibers + "set Curves = s; 0\nend\n",
+      {"line 7: Fibers/Curves", "curve number 0", "2 functions"}},
+     {fibers + "set Curves = s; 0; 0 | s; foo; 1\nend\n",
+      {"line 7: Fibers/Curves", "curve number 1", "foo"}},
+     {fibers + "set Curves = 1/s; 0; 0\nend\n",
+      {"line 7: Fibers/Curves", "not finite", "s from 0 to 1"}},
+     {fibers + "set Curves = i; 0; 0\nend\n",
+      {"line 7: Fibers/Curves", "no length"}},
+     {fibers + "set Curves = s^2; 0; 0\nend\n",
+      {"line 7: Fibers/Curves", "stands still at s = 0"}},
+     {fibers + "set Curves = s; 0; 0\nset Fibers per curve = 2\nend\n",
+      {"line 7: Fibers/Curves", "0 and 1 lie in each other"}},
+     {fibers + "set Curves = s; i; 0\nset Fibers per curve = 2, 3\nend\n",
+      {"line 8: Fibers/Fibers per curve", "2 numbers", "curves, 1"}},
+     {fibers + "set Curves = 0.02*cos(3*s); 0.02*sin(3*s); 0\n"
+                "set Radius = 0.02\nend\n",
+      {"line 7: Fibers/Curves", "bends with a radius of", "0.02"}},
+     {fibers + "set Curves = 0.02*cos(3*s); 0.02*sin(3*s); 0\n"
+                "set Radius = 0.02\nset Stress free = straight\nend\n",
+      {"line 7: Fibers/Curves", "bends with a radius of", "0.02"}},
+     {fibers + "set Arrangement = braid\nend\n",
+      {"line 7: Fibers/Arrangement = braid", "bundle"}},
+     {fibers + "set Arrangement = bundle\nsubsection Bundle\n"
+                "set Fibers = 12\nend\nend\n",
+      {"line 9: Fibers/Bundle/Fibers", "7 or 19"}},
+     {fibers + "set Arrangement = bundle\nsubsection Bundle\n"
+                "set Spacing = 1.9\nend\nend\n",
+      {"line 9: Fibers/Bundle/Spacing", "at least 2"}},
+     {fibers + "set Arrangement = strand\nend\n",
+      {"Fibers/Strand/Lay angle", "neither", "one of them"}},
+     {fibers + "set Arrangement = strand\nsubsection Strand\n"
+                "set Lay angle = 0.1\nset Lay length = 1\nend\nend\n",
+      {"line 9: Fibers/Strand/Lay angle", "too", "one of them"}},
+     {fibers + "set Arrangement = strand\nsubsection Strand\n"
+                "set Lay angle = 0.1\nset Outer fibers = 7\nend\nend\n",
+      {"line 10: Fibers/Strand/Outer fibers", "at most 6"}},
+     {fibers + "set Arrangement = strand\nset Radius = 1, 2, 3\n"
+                "subsection Strand\nset Lay angle = 0.1\nend\nend\n",
+      {"line 8: Fibers/Radius", "3 values", "1 or 2"}},
+     {fibers + "set Arrangement = strand\nset Radius = 0.01\n"
+                "subsection Strand\nset Lay length = 0.01\nend\nend\n",
+      {"line 7: Fibers/Arrangement", "outer fiber", "right angle"}}};
 
   for (const Case &bad : cases)
     {
@@ -176,6 +239,75 @@ check_files()
         shown, [] { read_all("bad.prm", {}); }, expected);
     }
   return cases.size();
+}
+
+/** Files of fibers, each named by a scene in the same directory. */
+unsigned int
+check_fiber_files()
+{
+  const std::string head = "fiber,x,y,z,radius\n", row = "0,0,0,0,0.1\n",
+                    vtp = "<VTKFile type=\"PolyData\"><PolyData><Piece "
+                          "NumberOfPoints=\"1\" NumberOfVerts=\"1\"><Points>"
+                          "<DataArray type=\"Float64\" format=\"ascii\" "
+                          "NumberOfComponents=\"3\">1 2 3</DataArray></Points>"
+                          "<Verts><DataArray type=\"Int64\" format=\"ascii\" "
+                          "Name=\"connectivity\">0</DataArray><DataArray "
+                          "type=\"Int64\" format=\"ascii\" Name=\"offsets\">1"
+                          "</DataArray></Verts></Piece></PolyData></VTKFile>";
+  struct Case
+  {
+    std::string name, text;
+    Words       expected;
+  };
+  const std::vector<Case> cases = {
+    {"f.csv", "", {"empty", "header"}},
+    {"f.csv", "fiber,x,y\n", {"line 1", "no column z"}},
+    {"f.csv", "fiber,x,y,z,r\n", {"line 1", "\"r\"", "radius"}},
+    {"f.csv", "fiber,x,y,z,x\n", {"line 1", "two columns x"}},
+    {"f.csv", head, {"no fibers"}},
+    {"f.csv", head + row + "0,1,0,0\n", {"line 3", "4 values", "5"}},
+    {"f.csv", head + row + "0,one,0,0,1\n", {"line 3", "x = one", "number"}},
+    {"f.csv", head + row + "0,nan,0,0,1\n", {"line 3", "x = nan", "number"}},
+    {"f.csv", head + row + "0,1,,0,1\n", {"line 3", "y = ", "number"}},
+    {"f.csv", head + row, {"fiber 0", "1 points", "two or more"}},
+    {"f.csv", head + row + row, {"fiber 0", "points 0 and 1 are the same"}},
+    {"f.csv", head + row + "2,1,0,0,1\n", {"line 3", "fiber = 2", "0 or 1"}},
+    {"f.csv", head + "1,0,0,0,1\n", {"line 2", "fiber = 1", "here 0"}},
+    {"f.csv", head + row + "0,1,0,0,2\n", {"line 3", "radius changes"}},
+    {"f.csv", head + "0,0,0,0,0\n0,1,0,0,0\n", {"fiber 0", "radius = 0"}},
+    {"f.csv",
+     "fiber,x,y,z,poisson_ratio\n0,0,0,0,0.5\n0,1,0,0,0.5\n",
+     {"fiber 0", "poisson_ratio = 0.5", "below 0.5"}},
+    {"f.csv",
+     head + row + "0,1,0,0,0.1\n1,0,0,0,0.1\n1,2,0,0,0.1\n",
+     {"fibers 0 and 1 lie in each other"}},
+    {"f.txt", head, {"no known kind", ".csv"}},
+    {"f.vtp", head, {"damaged", "XML"}},
+    {"f.vtu", vtp, {"damaged", "XML"}},
+    {"f.vtp", vtp, {"cell 0 is no line"}}};
+  for (const Case &bad : cases)
+    {
+      std::ofstream(bad.name) << bad.text;
+      std::ofstream("bad.prm")
+        << "set Stages = load\nset Drives = d\n"
+           "subsection Drive d\nset Ends = 0 start\nend\n"
+           "subsection Fibers\nset File = "
+        << bad.name << "\nend\n";
+      Words expected = bad.expected;
+      expected.insert(expected.end(),
+                      {"bad.prm, line 7: Fibers/File", bad.name});
+      std::string shown = bad.text;
+      std::replace(shown.begin(), shown.end(), '\n', '|');
+      expect_error(
+        shown, [] { read_all("bad.prm", {}); }, expected);
+    }
+  expect_error("missing file of fibers",
+               [] { read_all("bad.prm", {"Fibers/File=no_such.csv"}); },
+               {"--set", "no_such.csv", "no such file"});
+  expect_error("directory as file of fibers",
+               [] { read_all("bad.prm", {"Fibers/File=."}); },
+               {"--set", "cannot be read"});
+  return cases.size() + 2;
 }
 
 unsigned int
@@ -242,6 +374,7 @@ main()
 {
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   unsigned int n_cases = check_files();
+  n_cases += check_fiber_files();
   n_cases += check_overrides();
   n_cases += check_missing_files();
   n_cases += check_command_lines();

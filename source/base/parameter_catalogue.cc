@@ -156,9 +156,9 @@ namespace fiberloom
   }
 
   Allowed
-  Allowed::list_of(const Allowed &item)
+  Allowed::list_of(const Allowed &item, const unsigned int least)
   {
-    return {std::make_shared<dealii::Patterns::List>(*item.pattern),
+    return {std::make_shared<dealii::Patterns::List>(*item.pattern, least),
             "list with commas of: " + item.text};
   }
 
@@ -168,6 +168,15 @@ namespace fiberloom
     char       text[64];
     const auto end = std::to_chars(text, text + sizeof(text), value).ptr;
     return std::string(text, end);
+  }
+
+  std::string
+  exact_text(const std::vector<double> &values)
+  {
+    std::string text;
+    for (const double value : values)
+      text += (text.empty() ? "" : ", ") + exact_text(value);
+    return text;
   }
 
   void

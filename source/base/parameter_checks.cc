@@ -3,15 +3,14 @@
 
 #include <fiberloom/base/exceptions.h>
 #include <fiberloom/base/parameters.h>
+#include <fiberloom/base/parsed_functions.h>
 
-#include <deal.II/base/exceptions.h>
-#include <deal.II/base/function_parser.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
+#include <filesystem>
 #include <numeric>
 #include <regex>
 #include <set>
@@ -78,26 +77,19 @@ namespace fiberloom
         throw InputError(where + ": " + std::to_string(parts.size()) +
                          " functions" + allowed);
 
-      // the parser tells the screen about errors before it throws
-      std::ostringstream    unheard;
-      std::streambuf *const screen = std::cerr.rdbuf(unheard.rdbuf());
-      std::string           error;
       try
         {
-          dealii::FunctionParser<1> parser(3);
-          parser.initialize("t", functions, {});
+          const ParsedFunctions<1> parsed(functions, 3, "t");
           for (unsigned int i = 0; i < 3; ++i)
             for (const double t : {0., .5, 1.})
-              if (!std::isfinite(parser.value(dealii::Point<1>(t), i)))
-                error = "not finite";
+              if (!std::isfinite(parsed.value(dealii::Point<1>(t), i)))
+                throw InputError("not finite");
         }
-      catch (const std::exception &exception)
+      catch (const InputError &error)
         {
-          error = one_line(exception);
+          throw InputError(where + " = " + functions + ": " + error.what() +
+                           allowed);
         }
-      std::cerr.rdbuf(screen);
-      if (!error.empty())
-        throw InputError(where + " = " + functions + ": " + error + allowed);
 
       return {{parts[0] != "0", parts[1] != "0", parts[2] != "0"}};
     }
@@ -187,6 +179,11 @@ namespace fiberloom
                  by_accuracy(accuracy, 1., 2., 4.));
     replace_zero(solver.contact_tolerance,
                  by_accuracy(accuracy, 2e-2, 1e-2, 1e-3));
+    // absolute, so that the values in force repeat the run from anywhere
+    if (!fibers.file.empty())
+      fibers.file = std::filesystem::absolute(
+                      std::filesystem::path(source).parent_path() / fibers.file)
+                      .lexically_normal();
     biaxial.first_step = std::min(biaxial.first_step, biaxial.largest_step);
     load.first_step    = std::min(load.first_step, load.largest_step);
   }
@@ -200,11 +197,16 @@ namespace fiberloom
     if (stages.empty())
       throw InputError(where("Stages") +
                        " is empty; allowed: weave, relax, biaxial, load");
+    if (const auto sources = fibers.sources(); sources.size() > 1)
+      throw InputError(where("Fibers/" + sources[1]) + ": Fibers/" +
+                       sources[0] + " is given, too; allowed: one of them");
     for (const std::string &stage : stages)
       {
         if (!is_fabric() && stage != "load")
           throw InputError(where("Stages") + ": " + stage +
-                           " needs a fabric, but Fibers/Polylines is given; "
+                           " needs a fabric, but Fibers/" +
+                           fibers.sources().front() +
+                           " is given; "
                            "allowed: load");
         if (stage == "load" && drives.empty())
           throw InputError(where("Stages") +

@@ -28,6 +28,50 @@ namespace fiberloom
     }
 
     void
+    declare_arrangements(ParameterCatalogue &catalogue,
+                         FibersParameters   &fibers)
+    {
+      catalogue.enter_section("Bundle");
+      catalogue.add("Fibers",
+                    fibers.bundle.fibers,
+                    "Number of fibers: a whole hexagon, 1, 7, 19, 37, 61 ... "
+                    "Number 0 is the one in the middle, the others follow "
+                    "ring by ring.",
+                    Allowed::whole(1, most_fibers));
+      catalogue.add("Length",
+                    fibers.bundle.length,
+                    "Length of the fibers [mm].",
+                    Allowed::above(0));
+      catalogue.add("Spacing",
+                    fibers.bundle.spacing,
+                    "Distance between the axes of neighbors, over the fiber "
+                    "radius.",
+                    Allowed::at_least(2));
+      catalogue.leave_section();
+
+      catalogue.enter_section("Strand");
+      catalogue.add("Outer fibers",
+                    fibers.strand.outer_fibers,
+                    "Number of helices around the core, which is fiber 0.",
+                    Allowed::whole(1, most_fibers));
+      catalogue.add("Length",
+                    fibers.strand.length,
+                    "Length of the core [mm].",
+                    Allowed::above(0));
+      catalogue.add("Lay angle",
+                    fibers.strand.lay_angle,
+                    "Angle of the helices to the core [rad]; negative: "
+                    "left-handed. 0: by the lay length.",
+                    Allowed::from_to(-1.5, 1.5));
+      catalogue.add("Lay length",
+                    fibers.strand.lay_length,
+                    "Length of the core for one turn of the helices [mm]; "
+                    "negative: left-handed. 0: by the lay angle.",
+                    Allowed::any_number());
+      catalogue.leave_section();
+    }
+
+    void
     declare_tows(ParameterCatalogue &catalogue, TowParameters &tows)
     {
       catalogue.add("Tows",
@@ -106,16 +150,67 @@ namespace fiberloom
       catalogue.enter_section("Fibers");
       catalogue.add("Polylines",
                     fibers.polylines,
-                    "Fibers that are no fabric: the stress-free axis of each "
-                    "as a line through points [mm]. If given, there is no "
-                    "fabric.",
+                    "Fibers that are no fabric: the axis of each as a line "
+                    "through points [mm]. If fibers are given by this entry, "
+                    "File, Curves or Arrangement, there is no fabric.",
                     Allowed::text_like("points x y z with commas between, "
                                        "fibers with semicolons between"));
+      catalogue.add("File",
+                    fibers.file,
+                    "File with the axes of the fibers [mm], taken relative to "
+                    "the directory of this file: a table with the columns "
+                    "fiber, x, y, z and, if wanted, radius, young_modulus, "
+                    "poisson_ratio, or lines of VTK with the same names as "
+                    "data of points or cells.",
+                    Allowed::text_like("a file .csv, .vtp or .vtu"));
+      catalogue.add("Curves",
+                    fibers.curves,
+                    "The axes as functions x; y; z [mm] of s, which goes from "
+                    "0 to 1 along the fiber, and i, the number of the fiber "
+                    "of this curve, from 0.",
+                    Allowed::text_like("three functions of s and i with "
+                                       "semicolons between, curves with | "
+                                       "between"));
+      catalogue.add("Fibers per curve",
+                    fibers.fibers_per_curve,
+                    "Number of fibers of every curve, or of each.",
+                    Allowed::list_of(Allowed::whole(1, most_fibers), 1));
+      catalogue.add("Arrangement",
+                    fibers.arrangement,
+                    "Fibers arranged along the axis x, their middle in the "
+                    "origin: a straight hexagonal bundle, or a strand of a "
+                    "core and helices around it that touch it.",
+                    Allowed::one_of("none|bundle|strand"));
+      declare_arrangements(catalogue, fibers);
+      catalogue.add("Interpolation",
+                    fibers.interpolation,
+                    "What joins points of polylines and of files: straight "
+                    "lines or a smooth curve. automatic: straight for "
+                    "polylines, smooth for files.",
+                    Allowed::one_of("automatic|straight|smooth"));
+      catalogue.add("Stress free",
+                    fibers.stress_free,
+                    "Shape without stress: as given, or straight; then a "
+                    "fiber that is given curved starts with the stresses of "
+                    "its bending.",
+                    Allowed::one_of("as given|straight"));
+      const std::string groups =
+        " One number for all, or one for each polyline or curve, or those of "
+        "the core and of the outer fibers of a strand; values in a file of "
+        "fibers come first.";
       catalogue.add("Radius",
                     fibers.radius,
-                    "Radius of the round fibers [mm].",
-                    Allowed::above(0));
-      declare_material(catalogue, fibers.young_modulus, fibers.poisson_ratio);
+                    "Radius of the round fibers [mm]." + groups,
+                    Allowed::list_of(Allowed::above(0), 1));
+      catalogue.add("Young modulus",
+                    fibers.young_modulus,
+                    "Young's modulus of the fibers [MPa]; several as for "
+                    "Radius.",
+                    Allowed::list_of(Allowed::above(0), 1));
+      catalogue.add("Poisson ratio",
+                    fibers.poisson_ratio,
+                    "Poisson's ratio of the fibers; several as for Radius.",
+                    Allowed::list_of(Allowed::from_to_below(0, .5), 1));
       catalogue.add("Elements per fiber",
                     fibers.elements_per_fiber,
                     "Number of quadratic beam elements along each fiber.",

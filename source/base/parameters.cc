@@ -77,6 +77,21 @@ namespace fiberloom
     }
   } // namespace
 
+  std::vector<std::string>
+  FibersParameters::sources() const
+  {
+    std::vector<std::string> given;
+    if (!polylines.empty())
+      given.push_back("Polylines");
+    if (!file.empty())
+      given.push_back("File");
+    if (!curves.empty())
+      given.push_back("Curves");
+    if (arrangement != "none")
+      given.push_back("Arrangement");
+    return given;
+  }
+
   Parameters
   Parameters::parse(const std::string              &file,
                     const std::vector<std::string> &overrides)

@@ -8,6 +8,21 @@
 
 namespace fiberloom
 {
+  namespace
+  {
+    template <class Nodes>
+    Eigen::Matrix<double, 9, 1>
+    node_dofs(const Nodes &nodes, const unsigned int n, const double radius)
+    {
+      Eigen::Matrix<double, 9, 1> dofs;
+      dofs << nodes.centers[n], radius * nodes.directions_1[n],
+        radius * nodes.directions_2[n];
+      return dofs;
+    }
+  } // namespace
+
+
+
   FiberMesh::FiberMesh(const FiberSet &set)
   {
     unsigned int n_nodes = 0, n_elements = 0;
@@ -17,6 +32,7 @@ namespace fiberloom
         n_elements += fiber.n_elements();
       }
     reference_dofs.resize(dofs_per_node * n_nodes);
+    initial_dofs.resize(dofs_per_node * n_nodes);
     beam_elements.reserve(n_elements);
     element_fibers.reserve(n_elements);
 
@@ -31,9 +47,13 @@ namespace fiberloom
                   fiber.young_modulus,
                   0.};
         for (unsigned int n = 0; n < fiber.centers.size(); ++n, ++node)
-          reference_dofs.segment<9>(9 * node) << fiber.centers[n],
-            fiber.radius * fiber.directions_1[n],
-            fiber.radius * fiber.directions_2[n];
+          {
+            reference_dofs.segment<9>(9 * node) =
+              node_dofs(fiber, n, fiber.radius);
+            initial_dofs.segment<9>(9 * node) =
+              fiber.initial ? node_dofs(*fiber.initial, n, fiber.radius) :
+                              node_dofs(fiber, n, fiber.radius);
+          }
 
         for (unsigned int e = 0; e < line.n_elements; ++e)
           {

@@ -2,8 +2,13 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
+#include <fiberloom/fabric/arrangement.h>
+#include <fiberloom/fabric/curve.h>
+#include <fiberloom/fabric/fiber_checks.h>
+#include <fiberloom/fabric/fiber_file.h>
 #include <fiberloom/fabric/fiber_set.h>
 
 #include <deal.II/base/utilities.h>
@@ -17,8 +22,6 @@ namespace fiberloom
 {
   namespace
   {
-    using Polyline = std::vector<Vector3>;
-
     Vector3
     read_point(const std::string &text)
     {
@@ -40,6 +43,12 @@ namespace fiberloom
       for (const std::string &point :
            dealii::Utilities::split_string_list(text, ','))
         line.push_back(read_point(point));
+      return line;
+    }
+
+    void
+    check_points(const Polyline &line)
+    {
       if (line.size() < 2)
         throw InputError("it has " + std::to_string(line.size()) +
                          " points; allowed: two or more");
@@ -48,52 +57,6 @@ namespace fiberloom
           throw InputError("points " + std::to_string(i - 1) + " and " +
                            std::to_string(i) +
                            " are the same; allowed: different points");
-      return line;
-    }
-
-    /** @p n_nodes points on @p line , at equal distances along it. */
-    std::vector<Vector3>
-    divide(const Polyline &line, const unsigned int n_nodes)
-    {
-      std::vector<double> length(1, 0.);
-      for (std::size_t i = 1; i < line.size(); ++i)
-        length.push_back(length.back() + (line[i] - line[i - 1]).norm());
-
-      std::vector<Vector3> nodes;
-      std::size_t          piece = 1;
-      for (unsigned int n = 0; n < n_nodes; ++n)
-        {
-          const double s = length.back() * n / (n_nodes - 1);
-          while (piece + 1 < line.size() && s > length[piece])
-            ++piece;
-          const double part =
-            (s - length[piece - 1]) / (length[piece] - length[piece - 1]);
-          nodes.push_back((1 - part) * line[piece - 1] + part * line[piece]);
-        }
-      return nodes;
-    }
-
-    /** Tangents at the nodes of the quadratic curves through them. */
-    std::vector<Vector3>
-    tangents(const std::vector<Vector3> &nodes)
-    {
-      const std::size_t    last = nodes.size() - 1;
-      std::vector<Vector3> tangents(nodes.size());
-      tangents[0] = 4 * nodes[1] - 3 * nodes[0] - nodes[2];
-      for (std::size_t n = 1; n < last; ++n)
-        tangents[n] = nodes[n + 1] - nodes[n - 1];
-      tangents[last] = 3 * nodes[last] - 4 * nodes[last - 1] + nodes[last - 2];
-
-      const double step = (nodes[1] - nodes[0]).norm();
-      for (Vector3 &tangent : tangents)
-        {
-          if (!(tangent.norm() > 1e-3 * step))
-            throw InputError(
-              "it folds back on itself; allowed: bends of less than a half "
-              "turn, with enough elements");
-          tangent.normalize();
-        }
-      return tangents;
     }
 
     /** Across @p tangent , nearest to the axis it is least aligned with. */
@@ -106,12 +69,14 @@ namespace fiberloom
       return (direction - direction.dot(tangent) * tangent).normalized();
     }
 
-    /** Section vectors that do not twist along the line. */
-    void
-    add_directions(Fiber &fiber)
+    /** With section vectors that do not twist along the line. */
+    FiberPlacement
+    place_along(const CenterLine &line)
     {
-      const std::vector<Vector3> tangent     = tangents(fiber.centers);
-      Vector3                    direction_1 = any_direction_across(tangent[0]);
+      const std::vector<Vector3> &tangent = line.tangents;
+      Vector3        direction_1          = any_direction_across(tangent[0]);
+      FiberPlacement placement;
+      placement.centers = line.nodes;
       for (std::size_t n = 0; n < tangent.size(); ++n)
         {
           if (n > 0)
@@ -121,54 +86,301 @@ namespace fiberloom
           // rounding must not add up
           direction_1 -= direction_1.dot(tangent[n]) * tangent[n];
           direction_1.normalize();
-          fiber.directions_1.push_back(direction_1);
-          fiber.directions_2.push_back(tangent[n].cross(direction_1));
+          placement.directions_1.push_back(direction_1);
+          placement.directions_2.push_back(tangent[n].cross(direction_1));
         }
+      return placement;
     }
 
-    Fiber
-    build_fiber(const std::string      &polyline,
-                const unsigned int      number,
-                const FibersParameters &fibers)
+    /** Of the quadratic curve through three nodes, by two Gauss points. */
+    double
+    element_length(const Vector3 &start,
+                   const Vector3 &middle,
+                   const Vector3 &end)
     {
-      Fiber fiber;
-      fiber.tow           = number;
-      fiber.radius        = fibers.radius;
-      fiber.young_modulus = fibers.young_modulus;
-      fiber.poisson_ratio = fibers.poisson_ratio;
-      fiber.centers =
-        divide(read_polyline(polyline), 2 * fibers.elements_per_fiber + 1);
-      add_directions(fiber);
-      return fiber;
+      const Vector3 chord = end - start, bend = start - 2 * middle + end;
+      const double  xi = 1 / std::sqrt(3.);
+      return .5 *
+             ((chord + 2 * xi * bend).norm() + (chord - 2 * xi * bend).norm());
     }
+
+    /** The same elements in a straight row from the same first section. */
+    FiberPlacement
+    straightened(const FiberPlacement &placement)
+    {
+      const auto   &x      = placement.centers;
+      const Vector3 first  = placement.directions_1[0],
+                    second = placement.directions_2[0];
+      const Vector3  along = first.cross(second);
+      FiberPlacement straight;
+      straight.centers.push_back(x[0]);
+      for (std::size_t n = 2; n < x.size(); n += 2)
+        {
+          const double  length = element_length(x[n - 2], x[n - 1], x[n]);
+          const Vector3 start  = straight.centers.back();
+          straight.centers.push_back(start + .5 * length * along);
+          straight.centers.push_back(start + length * along);
+        }
+      straight.directions_1.assign(x.size(), first);
+      straight.directions_2.assign(x.size(), second);
+      return straight;
+    }
+
+    /** Adds the fibers of the source that is given to a set. */
+    class FiberBuilder
+    {
+    public:
+      explicit FiberBuilder(const Parameters &parameters)
+        : parameters(parameters)
+        , fibers(parameters.fibers)
+        , source(parameters.where("Fibers/" + fibers.sources().front()) +
+                 (fibers.file.empty() ? "" : ": " + fibers.file))
+        , n_nodes(2 * fibers.elements_per_fiber + 1)
+      {}
+
+      FiberSet
+      build()
+      {
+        if (!fibers.polylines.empty())
+          add_polylines();
+        else if (!fibers.file.empty())
+          add_file();
+        else if (!fibers.curves.empty())
+          add_curves();
+        else if (fibers.arrangement == "bundle")
+          add_bundle();
+        else
+          add_strand();
+        explained(source, [&] { check_apart(set.fibers); });
+        return set;
+      }
+
+    private:
+      const Parameters       &parameters;
+      const FibersParameters &fibers;
+      const std::string       source; // of the fibers, for the user
+      const unsigned int      n_nodes;
+      FiberSet                set;
+
+      /** Calls @p build , and says @p where it is when it fails. */
+      template <class Build>
+      static void
+      explained(const std::string &where, const Build &build)
+      {
+        try
+          {
+            build();
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(where + ": " + error.what());
+          }
+      }
+
+      /** That of @p group out of @p n_groups . */
+      double
+      value_of(const std::vector<double> &values,
+               const std::string         &entry,
+               const unsigned int         group,
+               const unsigned int         n_groups) const
+      {
+        if (values.size() != 1 && values.size() != n_groups)
+          throw InputError(
+            parameters.where("Fibers/" + entry) + ": " +
+            std::to_string(values.size()) + " values; allowed: 1" +
+            (n_groups > 1 ? " or " + std::to_string(n_groups) : ""));
+        return values[values.size() == 1 ? 0 : group];
+      }
+
+      /** A fiber without its nodes. */
+      Fiber
+      member_of(const unsigned int group, const unsigned int n_groups) const
+      {
+        Fiber fiber;
+        fiber.radius = value_of(fibers.radius, "Radius", group, n_groups);
+        fiber.young_modulus =
+          value_of(fibers.young_modulus, "Young modulus", group, n_groups);
+        fiber.poisson_ratio =
+          value_of(fibers.poisson_ratio, "Poisson ratio", group, n_groups);
+        return fiber;
+      }
+
+      void
+      add(Fiber fiber, const CenterLine &line)
+      {
+        const unsigned int   number = set.fibers.size();
+        const FiberPlacement given  = place_along(line);
+        FiberPlacement       free   = given;
+        if (fibers.stress_free == "straight")
+          {
+            free          = straightened(given);
+            fiber.initial = given;
+          }
+        fiber.tow          = number;
+        fiber.centers      = free.centers;
+        fiber.directions_1 = free.directions_1;
+        fiber.directions_2 = free.directions_2;
+        check_bends(fiber);
+        set.tows.push_back({Tow::Family::none,
+                            number,
+                            0.,
+                            fiber.radius,
+                            fiber.radius,
+                            {number}});
+        set.fibers.push_back(std::move(fiber));
+      }
+
+      void
+      add_through(const Fiber &fiber, const Polyline &points, const bool smooth)
+      {
+        check_points(points);
+        add(fiber,
+            smooth && points.size() > 2 ?
+              divide(smooth_curve(points), n_nodes) :
+              divide(points, n_nodes));
+      }
+
+      void
+      add_polylines()
+      {
+        const std::vector<std::string> lines =
+          dealii::Utilities::split_string_list(fibers.polylines, ';');
+        for (unsigned int l = 0; l < lines.size(); ++l)
+          {
+            const Fiber fiber = member_of(l, lines.size());
+            explained(source + ": line number " + std::to_string(l), [&] {
+              add_through(fiber,
+                          read_polyline(lines[l]),
+                          fibers.interpolation == "smooth");
+            });
+          }
+      }
+
+      void
+      add_file()
+      {
+        std::vector<FiberPoints> read;
+        explained(source, [&] { read = read_fiber_file(fibers.file); });
+        for (std::size_t f = 0; f < read.size(); ++f)
+          {
+            const auto &values  = read[f].values;
+            Fiber       fiber   = member_of(0, 1);
+            fiber.radius        = values[0].value_or(fiber.radius);
+            fiber.young_modulus = values[1].value_or(fiber.young_modulus);
+            fiber.poisson_ratio = values[2].value_or(fiber.poisson_ratio);
+            explained(source + ": fiber " + std::to_string(f), [&] {
+              add_through(fiber,
+                          read[f].points,
+                          fibers.interpolation != "straight");
+            });
+          }
+      }
+
+      void
+      add_curves()
+      {
+        const std::vector<std::string> curves =
+          dealii::Utilities::split_string_list(fibers.curves, '|');
+        const auto &numbers = fibers.fibers_per_curve;
+        if (numbers.size() != 1 && numbers.size() != curves.size())
+          throw InputError(parameters.where("Fibers/Fibers per curve") + ": " +
+                           std::to_string(numbers.size()) +
+                           " numbers; allowed: 1 or as many as curves, " +
+                           std::to_string(curves.size()));
+        for (unsigned int c = 0; c < curves.size(); ++c)
+          {
+            const Fiber fiber = member_of(c, curves.size());
+            for (unsigned int i = 0; i < numbers[numbers.size() == 1 ? 0 : c];
+                 ++i)
+              explained(source + ": curve number " + std::to_string(c) +
+                          ", i = " + std::to_string(i),
+                        [&] { add(fiber, curve_line(curves[c], i)); });
+          }
+      }
+
+      CenterLine
+      curve_line(const std::string &functions, const unsigned int i) const
+      {
+        const std::size_t n =
+          dealii::Utilities::split_string_list(functions, ';').size();
+        if (n != 3)
+          throw InputError(std::to_string(n) +
+                           " functions; allowed: three functions of s and i "
+                           "with semicolons between, such as s; 0; 0.1*i");
+        return divide(parsed_curve(functions, i), n_nodes);
+      }
+
+      void
+      add_bundle()
+      {
+        const BundleParameters            &bundle = fibers.bundle;
+        const Fiber                        fiber  = member_of(0, 1);
+        std::vector<std::array<double, 2>> centers;
+        explained(parameters.where("Fibers/Bundle/Fibers"),
+                  [&] { centers = hexagon(bundle.fibers); });
+        for (const auto &center : centers)
+          {
+            const double distance = bundle.spacing * fiber.radius;
+            Vector3      end(.5 * bundle.length,
+                        distance * center[0],
+                        distance * center[1]);
+            Vector3      start = end;
+            start[0]           = -end[0];
+            add(fiber, divide(Polyline{start, end}, n_nodes));
+          }
+      }
+
+      void
+      add_strand()
+      {
+        const StrandParameters &strand = fibers.strand;
+        const Fiber             core = member_of(0, 2), outer = member_of(1, 2);
+        const double            radius = core.radius + outer.radius;
+        check_strand(core.radius, outer.radius);
+
+        const double turns =
+          strand.lay_length != 0 ?
+            strand.length / strand.lay_length :
+            strand.length * std::tan(strand.lay_angle) / (2 * M_PI * radius);
+        const Vector3 end = .5 * strand.length * Vector3::UnitX();
+        add(core, divide(Polyline{-end, end}, n_nodes));
+        for (unsigned int i = 0; i < strand.outer_fibers; ++i)
+          explained(source + ": an outer fiber", [&] {
+            add(outer,
+                divide(helix(strand.length,
+                             radius,
+                             turns,
+                             2 * M_PI * i / strand.outer_fibers),
+                       n_nodes));
+          });
+      }
+
+      void
+      check_strand(const double core, const double outer) const
+      {
+        const StrandParameters &strand = fibers.strand;
+        if ((strand.lay_angle != 0) == (strand.lay_length != 0))
+          throw InputError(parameters.where("Fibers/Strand/Lay angle") + ": " +
+                           (strand.lay_angle != 0 ?
+                              "Lay length is given, too" :
+                              "neither it nor Lay length is given") +
+                           "; allowed: one of them other than 0");
+        const unsigned int n             = strand.outer_fibers;
+        const double       half_distance = (core + outer) * std::sin(M_PI / n);
+        if (n > 1 && half_distance < outer * (1 - 1e-12))
+          throw InputError(
+            parameters.where("Fibers/Strand/Outer fibers") + ": " +
+            std::to_string(n) +
+            " do not fit around the core; allowed: at most " +
+            std::to_string(static_cast<unsigned int>(
+              M_PI / std::asin(outer / (core + outer)) * (1 + 1e-12))));
+      }
+    };
   } // namespace
 
   FiberSet
   build_fibers(const Parameters &parameters)
   {
-    const FibersParameters &fibers = parameters.fibers;
-    FiberSet                set;
-    for (const std::string &polyline :
-         dealii::Utilities::split_string_list(fibers.polylines, ';'))
-      {
-        const unsigned int number = set.fibers.size();
-        try
-          {
-            set.fibers.push_back(build_fiber(polyline, number, fibers));
-          }
-        catch (const InputError &error)
-          {
-            throw InputError(parameters.where("Fibers/Polylines") +
-                             ": line number " + std::to_string(number) + ": " +
-                             error.what());
-          }
-        set.tows.push_back({Tow::Family::none,
-                            number,
-                            0.,
-                            fibers.radius,
-                            fibers.radius,
-                            {number}});
-      }
-    return set;
+    return FiberBuilder(parameters).build();
   }
 } // namespace fiberloom

@@ -19,9 +19,9 @@ namespace fiberloom
       std::vector<dealii::Point<3>> points;
       points.reserve(mesh.n_nodes());
       for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
-        points.emplace_back(mesh.reference()[9 * n],
-                            mesh.reference()[9 * n + 1],
-                            mesh.reference()[9 * n + 2]);
+        points.emplace_back(mesh.initial()[9 * n],
+                            mesh.initial()[9 * n + 1],
+                            mesh.initial()[9 * n + 2]);
       const auto keys =
         dealii::Utilities::inverse_Hilbert_space_filling_curve(points, 20);
 

@@ -151,7 +151,11 @@ namespace fiberloom
         for (unsigned int i = 9 * line.first_node;
              i < 9 * (line.first_node + line.n_nodes());
              ++i)
-          add(mesh.reference()[i], 1e-4 * line.radius);
+          {
+            add(mesh.reference()[i], 1e-4 * line.radius);
+            if (fibers.fibers[f].initial)
+              add(mesh.initial()[i], 1e-4 * line.radius);
+          }
       }
     const std::string order = superimposition_order(fibers);
     crc.process_bytes(order.data(), order.size());

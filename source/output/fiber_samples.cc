@@ -124,7 +124,7 @@ namespace fiberloom
     for (unsigned int i = 0; i < sections.size(); ++i)
       {
         const auto    point   = sample_point(line, i, n_intervals);
-        const auto    origin  = mesh.section(mesh.reference(), point);
+        const auto    origin  = mesh.section(mesh.initial(), point);
         const Vector3 tangent = sections[i].tangent();
         const Vector3 moment  = values[i].segment<3>(1);
         const double  torque  = moment.dot(tangent);

@@ -66,7 +66,7 @@ namespace fiberloom
   Simulation::initial_state()
   {
     State state;
-    state.q = mesh.reference();
+    state.q = mesh.initial();
     if (command_line.restart.empty())
       return state;
 

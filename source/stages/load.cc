@@ -144,7 +144,7 @@ namespace fiberloom
                           names.begin()] = false;
         for (const unsigned int node : held_nodes[d])
           supports.attachments.push_back(
-            attach(scene.mesh.reference(), node, d, find_hold(drive.hold)));
+            attach(scene.mesh.initial(), node, d, find_hold(drive.hold)));
         supports.bodies.push_back(body);
       }
     return supports;

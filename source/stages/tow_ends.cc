@@ -54,7 +54,7 @@ namespace fiberloom
               body.prescribed[tow.family == Tow::Family::warp ? 0 : 1] = false;
             for (const unsigned int fiber : tow.fibers)
               supports.attachments.push_back(
-                attach(scene.mesh.reference(),
+                attach(scene.mesh.initial(),
                        end_node(scene.mesh, fiber, side),
                        supports.bodies.size(),
                        Hold::direction));
@@ -69,7 +69,7 @@ namespace fiberloom
             {
               const auto &line = scene.mesh.lines()[fiber];
               supports.attachments.push_back(
-                attach(scene.mesh.reference(),
+                attach(scene.mesh.initial(),
                        line.first_node + line.n_elements,
                        supports.bodies.size(),
                        Hold::axial));

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
 
 #include <cstdlib>
 #include <memory>
@@ -53,14 +54,18 @@ namespace fiberloom
     static Allowed
     text_like(const std::string &form);
 
-    /** A list with commas, of any length. */
+    /** A list with commas, of any length that is not below @p least . */
     static Allowed
-    list_of(const Allowed &item);
+    list_of(const Allowed &item, const unsigned int least = 0);
   };
 
   /** The shortest decimal text that reads back as the same number. */
   std::string
   exact_text(const double value);
+
+  /** The same for a list, with commas. */
+  std::string
+  exact_text(const std::vector<double> &values);
 
   /**
    * All parameters, as they are declared: a ParameterHandler, bound to the
@@ -167,6 +172,16 @@ namespace fiberloom
         prm.declare_entry(name, exact_text(member), *allowed.pattern, text);
         prm.add_action(name, [&member](const std::string &value) {
           member = std::strtod(value.c_str(), nullptr);
+        });
+      }
+    else if constexpr (std::is_same<T, std::vector<double>>::value)
+      {
+        prm.declare_entry(name, exact_text(member), *allowed.pattern, text);
+        prm.add_action(name, [&member](const std::string &value) {
+          member.clear();
+          for (const std::string &number :
+               dealii::Utilities::split_string_list(value, ','))
+            member.push_back(std::strtod(number.c_str(), nullptr));
         });
       }
     else

@@ -40,16 +40,47 @@ namespace fiberloom
     TowParameters fill;
   };
 
+  /** Straight parallel fibers along x, packed hexagonally. */
+  struct BundleParameters
+  {
+    unsigned int fibers  = 7;
+    double       length  = 1;    // [mm]
+    double       spacing = 2.02; // over the radius
+  };
+
+  /** A straight core along x and the helices around it. */
+  struct StrandParameters
+  {
+    unsigned int outer_fibers = 6;
+    double       length       = 1; // of the core [mm]
+    double       lay_angle    = 0; // [rad], 0: by the lay length
+    double       lay_length   = 0; // [mm], 0: by the lay angle
+  };
+
   /**
-   * Fibers that do not form a fabric: straight polylines given in the file.
+   * Fibers that do not form a fabric, from one of four sources: polylines,
+   * a file, curves or an arrangement. Lists of values hold one for all fibers
+   * or one for each group: a polyline, a curve, or core and outer fibers.
    */
   struct FibersParameters
   {
-    std::string  polylines;                 // "x y z, x y z; x y z, x y z" [mm]
-    double       radius             = 0.01; // [mm]
-    double       young_modulus      = 73000;
-    double       poisson_ratio      = 0.22;
-    unsigned int elements_per_fiber = 8;
+    std::string polylines; // "x y z, x y z; x y z, x y z" [mm]
+    std::string file;
+    std::string curves; // "x; y; z | x; y; z" [mm] functions of s and i
+    std::vector<unsigned int> fibers_per_curve = {1};
+    std::string               arrangement = "none"; // none | bundle | strand
+    BundleParameters          bundle;
+    StrandParameters          strand;
+    std::string         interpolation      = "automatic"; // | straight | smooth
+    std::string         stress_free        = "as given";  // as given | straight
+    std::vector<double> radius             = {0.01};      // [mm]
+    std::vector<double> young_modulus      = {73000};     // [MPa]
+    std::vector<double> poisson_ratio      = {0.22};
+    unsigned int        elements_per_fiber = 8;
+
+    /** The entries that say where fibers come from, of those given. */
+    std::vector<std::string>
+    sources() const;
   };
 
   /**
@@ -144,7 +175,7 @@ namespace fiberloom
     std::string              accuracy = "standard"; // draft | standard | fine
     double                   maximal_wall_time = 0; // [s], 0: unlimited
 
-    // "fabric" when the file has no polylines, "fibers" otherwise
+    // "fibers" when section Fibers has a source, "fabric" otherwise
     FabricParameters             fabric;
     FibersParameters             fibers;
     std::vector<std::string>     drive_names;
@@ -159,7 +190,7 @@ namespace fiberloom
     bool
     is_fabric() const
     {
-      return fibers.polylines.empty();
+      return fibers.sources().empty();
     }
 
     /**

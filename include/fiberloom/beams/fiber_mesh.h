@@ -113,6 +113,13 @@ namespace fiberloom
       return reference_dofs;
     }
 
+    /** Placement at the start, which need not be free of stress. */
+    const DofVector &
+    initial() const
+    {
+      return initial_dofs;
+    }
+
     BeamElement::Vector
     element_dofs(const DofVector &q, const unsigned int element) const
     {
@@ -139,6 +146,7 @@ namespace fiberloom
     std::vector<unsigned int> element_fibers;
     std::vector<BeamElement>  beam_elements;
     DofVector                 reference_dofs;
+    DofVector                 initial_dofs;
   };
 } // namespace fiberloom
 

@@ -15,6 +15,14 @@ namespace fiberloom
 {
   struct Parameters;
 
+  /** Nodes of a fiber, and the two unit section vectors at each. */
+  struct FiberPlacement
+  {
+    std::vector<Vector3> centers; // [mm]
+    std::vector<Vector3> directions_1;
+    std::vector<Vector3> directions_2;
+  };
+
   /**
    * One fiber as the user described it: a stress-free centre line through
    * 2 n_elements + 1 nodes with the two unit section vectors at each, a round
@@ -30,6 +38,8 @@ namespace fiberloom
     std::vector<Vector3> centers; // [mm]
     std::vector<Vector3> directions_1;
     std::vector<Vector3> directions_2;
+
+    std::optional<FiberPlacement> initial = {}; // if it starts under stress
 
     unsigned int
     n_elements() const
@@ -77,8 +87,9 @@ namespace fiberloom
   build_fabric(const Parameters &parameters);
 
   /**
-   * The fibers of section Fibers, stress-free along their polylines with nodes
-   * at equal distances and sections that do not twist. Throws InputError.
+   * The fibers of section Fibers with nodes at equal distances and sections
+   * that do not twist, stress-free as they are given or straight. Throws
+   * InputError.
    */
   FiberSet
   build_fibers(const Parameters &parameters);

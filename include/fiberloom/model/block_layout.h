@@ -17,7 +17,7 @@ namespace fiberloom
    * Numbering and ownership of the unknowns. They come in blocks that belong
    * together: nine for a fiber node, six for a rigid body; fiber nodes first.
    * Nodes are dealt to the ranks in equal numbers along a space-filling curve
-   * through the reference placement, bodies in turn.
+   * through the initial placement, bodies in turn.
    */
   class BlockLayout
   {

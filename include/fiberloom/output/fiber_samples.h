@@ -15,7 +15,7 @@ namespace fiberloom
   {
     double  u; // parameter along the fiber, see FiberMesh
     Section section;
-    Vector3 displacement;   // from the stress-free placement [mm]
+    Vector3 displacement;   // from the initial placement [mm]
     double  axial_force;    // [N]
     Vector3 bending_moment; // [N mm]
     double  torque;         // [N mm]
