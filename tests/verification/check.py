@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+
+"""One number of a reference case, beside what it should be."""
+
+import math
+
+
+class Check:
+    """A number that may be off by a tolerance, over the reference unless `absolute`."""
+
+    def __init__(self, quantity, reference, computed, tolerance, absolute=False):
+        self.quantity, self.reference, self.computed = quantity, reference, computed
+        self.tolerance, self.absolute = tolerance, absolute
+
+    def error(self):
+        return (self.computed - self.reference) / (1 if self.absolute else abs(self.reference))
+
+    def good(self):
+        return abs(self.error()) <= self.tolerance  # false for NaN
+
+    def shown_reference(self):
+        return f"{self.reference:.7g}"
+
+    def shown_error(self):
+        return f"{self.error():+.1e}" if self.absolute else f"{100 * self.error():+.3g} %"
+
+    def shown_tolerance(self):
+        return f"{self.tolerance:.1e}" if self.absolute else f"{100 * self.tolerance:.3g} %"
+
+
+class Bound(Check):
+    """A number that must lie between two others."""
+
+    def __init__(self, quantity, computed, least=-math.inf, most=math.inf):
+        self.quantity, self.computed, self.least, self.most = quantity, computed, least, most
+
+    def good(self):
+        return self.least <= self.computed <= self.most
+
+    def shown_reference(self):
+        return ""
+
+    def shown_error(self):
+        return ""
+
+    def shown_tolerance(self):
+        bounds = [f"{sign} {bound:.4g}" for sign, bound in ((">=", self.least), ("<=", self.most)) if math.isfinite(bound)]
+        return " and ".join(bounds)
+
+
+def observed_order(coarse, medium, fine, ratio=2):
+    """From three results, each on a mesh `ratio` times as fine as the one before."""
+    return math.log(abs(coarse - medium) / abs(medium - fine)) / math.log(ratio)
