@@ -9,8 +9,6 @@
 
 #include <fiberloom/fabric/fabric_parameters.h>
 
-#include <fiberloom/simulation/stage_run.h>
-
 #include <Eigen/LU>
 
 #include <fstream>
@@ -18,33 +16,13 @@
 #include <sstream>
 
 #include "checks.h"
+#include "run_stages.h"
 #include "sample_fibers.h"
 
 using namespace fiberloom;
 
 namespace
 {
-  /** Runs stage "load" of @p parameters on @p fibers . */
-  void
-  run_load(const Parameters        &parameters,
-           const FiberSet          &fibers,
-           const IncrementObserver &observer)
-  {
-    const FiberMesh  mesh(fibers);
-    const Scene      scene{parameters, fibers, mesh};
-    const auto       stage = create_stage("load", scene);
-    ContactGenerator generator(fibers, mesh, parameters.contact);
-    StageStatistics  statistics;
-    Log              log(MPI_COMM_WORLD);
-    State            state;
-    state.q = mesh.reference();
-    StageRun run(
-      scene, *stage, "load", generator, statistics, log, MPI_COMM_WORLD, []() {
-        return false;
-      });
-    run.run(state, observer);
-  }
-
   struct Elastica
   {
     double load, deflection, shortening, angle; // over P L^2/(E I), L
@@ -69,27 +47,27 @@ namespace
 
     std::array<double, 4> errors{{1, 1, 1, 1}};
     imbalance = 0;
-    run_load(parameters,
-             build_fiber_set(parameters),
-             [&](const IncrementReport &report) {
-               const auto    tip = report.state.q.tail<9>();
-               const Vector3 axis =
-                 Vector3(tip.segment<3>(3)).cross(Vector3(tip.segment<3>(6)));
-               const double P = 10 * report.state.load * EI / (L * L);
-               for (unsigned int i = 0; i < exact.size(); ++i)
-                 if (std::abs(10 * report.state.load - exact[i].load) < 1e-6)
-                   errors[i] = std::max(
-                     {std::abs(tip[2] / L / exact[i].deflection - 1),
-                      std::abs((1 - tip[0] / L) / exact[i].shortening - 1),
-                      std::abs(std::atan2(axis[2], axis[0]) / exact[i].angle -
-                               1)});
-               BodyVector clamp;
-               clamp << 0, 0, -P,
-                 Vector3(tip.head<3>()).cross(Vector3(0, 0, -P));
-               BodyVector wrong = report.reactions[0] - clamp;
-               wrong.tail<3>() /= L;
-               imbalance = std::max(imbalance, wrong.norm() / P);
-             });
+    run_stages(parameters,
+               build_fiber_set(parameters),
+               [&](const IncrementReport &report) {
+                 const auto    tip = report.state.q.tail<9>();
+                 const Vector3 axis =
+                   Vector3(tip.segment<3>(3)).cross(Vector3(tip.segment<3>(6)));
+                 const double P = 10 * report.state.load * EI / (L * L);
+                 for (unsigned int i = 0; i < exact.size(); ++i)
+                   if (std::abs(10 * report.state.load - exact[i].load) < 1e-6)
+                     errors[i] = std::max(
+                       {std::abs(tip[2] / L / exact[i].deflection - 1),
+                        std::abs((1 - tip[0] / L) / exact[i].shortening - 1),
+                        std::abs(std::atan2(axis[2], axis[0]) / exact[i].angle -
+                                 1)});
+                 BodyVector clamp;
+                 clamp << 0, 0, -P,
+                   Vector3(tip.head<3>()).cross(Vector3(0, 0, -P));
+                 BodyVector wrong = report.reactions[0] - clamp;
+                 wrong.tail<3>() /= L;
+                 imbalance = std::max(imbalance, wrong.norm() / P);
+               });
     return errors;
   }
 
@@ -111,12 +89,12 @@ namespace
                          "Drive tip/Moment=" + moment.str()});
     resolve_fabric(parameters);
     double opening = 1;
-    run_load(parameters,
-             build_fiber_set(parameters),
-             [&](const IncrementReport &report) {
-               if (report.last)
-                 opening = report.state.q.tail<9>().head<3>().norm() / L;
-             });
+    run_stages(parameters,
+               build_fiber_set(parameters),
+               [&](const IncrementReport &report) {
+                 if (report.last)
+                   opening = report.state.q.tail<9>().head<3>().norm() / L;
+               });
     return opening;
   }
 
@@ -233,6 +211,7 @@ namespace
     fiber.young_modulus = Bend::E;
 
     Parameters parameters;
+    parameters.stages           = {"load"};
     parameters.fibers.polylines = "a bend";
     DriveParameters clamp, tip;
     clamp.name        = "clamp";
@@ -247,7 +226,7 @@ namespace
 
     double       error   = 0;
     unsigned int n_loads = 0;
-    run_load(
+    run_stages(
       parameters, loose_fibers({fiber}), [&](const IncrementReport &report) {
         if (report.state.load < .4)
           return;

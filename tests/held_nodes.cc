@@ -8,8 +8,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <Epetra_Vector.h>
-
 #include <fstream>
 
 #include "checks.h"
@@ -104,16 +102,10 @@ namespace
     matrix()
     {
       residual(model.state);
-      Eigen::MatrixXd  K(n, n);
-      const Epetra_Map map = system.matrix().OperatorDomainMap();
-      Epetra_Vector    x(map), y(map);
+      Eigen::MatrixXd K(n, n);
       for (unsigned int i = 0; i < n; ++i)
-        {
-          x.PutScalar(0);
-          x[i] = is_free[i];
-          system.matrix().Apply(x, y);
-          K.col(i) = Eigen::Map<Eigen::VectorXd>(y.Values(), n);
-        }
+        K.col(i) =
+          multiply(system, double(is_free[i]) * Eigen::VectorXd::Unit(n, i));
       return K;
     }
 

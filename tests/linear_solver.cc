@@ -9,8 +9,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <Epetra_Vector.h>
-
 #include <fstream>
 
 #include "checks.h"
@@ -39,15 +37,8 @@ namespace
   double
   remainder(System &system, const Eigen::VectorXd &solution)
   {
-    const Epetra_Map map = system.matrix().OperatorDomainMap();
-    Epetra_Vector    x(map), y(map);
-    for (int i = 0; i < x.MyLength(); ++i)
-      x[i] = solution[map.GID(i)];
-    system.matrix().Apply(x, y);
     const Eigen::VectorXd b = system.gather(system.right_hand_side());
-    const Eigen::VectorXd product =
-      system.gather(std::vector<double>(y.Values(), y.Values() + y.MyLength()));
-    return (b - product).norm() / b.norm();
+    return (b - multiply(system, solution)).norm() / b.norm();
   }
 
   void
@@ -56,10 +47,7 @@ namespace
     SampleModel model(4);
     model.supports.bodies[1].prescribed.set();
     System system(model.mesh, model.supports, MPI_COMM_WORLD);
-    std::srand(5);
-    system.advance(model.state,
-                   .001 * Eigen::VectorXd::Random(system.layout().n_dofs()),
-                   1);
+    model.disturb(system);
     model.add_contacts(.02, .001);
     for (const double x : {0., .3})
       {

@@ -64,4 +64,17 @@ main()
     {
       out << error.what() << "\n";
     }
+
+  // One stage after another of the same name, of one increment each.
+  const std::vector<std::string> twice = {"relax", "relax"};
+  IncrementTable bodies("reactions.csv", "body"), former = bodies;
+  for (const unsigned int stage : {0, 1})
+    for (const char *body : {"left", "right"})
+      bodies.append(stage, "relax", 1, 1, body, {{"force_x[N]", "3"}});
+  out << "rows of two bodies " << bodies.rows().size() << "\n";
+  former.continue_from(bodies.str(), twice, 1, 1);
+  out << "and of the former file " << former.rows().size();
+  former.continue_from(bodies.str(), twice, 0, 1);
+  out << ", each stage with its own "
+      << (former.rows().size() == 2 && former.rows()[1].key == "right") << "\n";
 }

@@ -4,12 +4,16 @@
 // A run that is interrupted and continued leaves the same files as one that
 // is not, and all that are promised.
 
+#include <fiberloom/base/exceptions.h>
+
 #include <fiberloom/output/files.h>
 #include <fiberloom/output/writer.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <sstream>
 
 using namespace fiberloom;
 
@@ -57,10 +61,16 @@ namespace
     state.load = double(state.increment) / n;
     state.q    = (1 + .01 * state.load) * mesh.reference();
 
-    const std::vector<ContactElement>              contacts(5, some_contact());
-    const Supports                                 supports;
-    const std::vector<Eigen::Matrix<double, 6, 1>> reactions;
-    const StageStatistics                          statistics;
+    const std::vector<ContactElement> contacts(5, some_contact());
+    const StageStatistics             statistics;
+    Supports                          supports;
+    supports.bodies.resize(2);
+    supports.bodies[0].name = "left";
+    supports.bodies[1].name = "right";
+    state.placements.resize(2);
+    state.placements[1].position = Vector3(1, 2, 3);
+    const std::vector<BodyVector> reactions{-state.load * BodyVector::Ones(),
+                                            BodyVector::LinSpaced(1, 6)};
     writer({stage,
             state,
             contacts,
@@ -108,6 +118,26 @@ namespace
       }
   }
 
+  /** What a run says that goes on while reactions.csv.tmp takes nothing. */
+  std::string
+  message_of_full_disk(Parameters parameters)
+  {
+    parameters.output_directory = "full";
+    run(parameters, 2, false);
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::filesystem::create_symlink("/dev/full", "full/reactions.csv.tmp");
+    MPI_Barrier(MPI_COMM_WORLD);
+    try
+      {
+        run(parameters, 1, true);
+      }
+    catch (const StageFailure &failure)
+      {
+        return failure.what();
+      }
+    return "nothing";
+  }
+
   std::set<std::string>
   files(const std::string &directory)
   {
@@ -127,6 +157,7 @@ main(int argc, char **argv)
   Parameters parameters;
   parameters.stages                  = {"relax", "biaxial"};
   parameters.output.checkpoint_every = 2;
+  parameters.output.slices_every     = 2;
 
   parameters.output_directory = "straight";
   run(parameters, 6, false);
@@ -134,6 +165,7 @@ main(int argc, char **argv)
   parameters.output_directory = "interrupted";
   run(parameters, 4, false);
   run(parameters, 3, true);
+  const std::string message = message_of_full_disk(parameters);
 
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
@@ -147,12 +179,21 @@ main(int argc, char **argv)
                            "sections.pvd",
                            "contacts.pvd",
                            "loading_curve.csv",
+                           "reactions.csv",
                            "trajectories.csv",
                            "fields/fibers_biaxial_0002_0.vtu",
+                           "slices/warp_biaxial_0002.svg",
                            "slices/warp_biaxial_0003.svg",
                            "pictures/loading_curve_biaxial.svg"})
     out << "same " << name << " "
         << (read_file(std::string("straight/") + name) ==
             read_file(std::string("interrupted/") + name))
         << "\n";
+  std::istringstream reactions(read_file("straight/reactions.csv"));
+  std::string        line;
+  for (unsigned int i = 0; i < 3 && std::getline(reactions, line); ++i)
+    out << line << "\n";
+  const std::string before = read_file("full/reactions.csv");
+  out << message << "; left with rows "
+      << std::count(before.begin(), before.end(), '\n') - 1 << "\n";
 }

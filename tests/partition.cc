@@ -9,8 +9,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <Epetra_Vector.h>
-
 #include <fstream>
 
 #include "checks.h"
@@ -36,10 +34,7 @@ namespace
     model.supports.bodies[1].prescribed.set();
     System system(model.mesh, model.supports, comm);
 
-    // The same disturbance on every rank, however the dofs are dealt.
-    std::srand(5);
-    const unsigned int n = system.layout().n_dofs();
-    system.advance(model.state, .001 * Eigen::VectorXd::Random(n), 1);
+    model.disturb(system);
     model.targets[1].placement.position = Vector3(6.1, -2, 1);
     model.add_contacts(.02, .001);
     system.reinit(model.contacts);
@@ -50,18 +45,15 @@ namespace
                   system.internal_force_scale(),
                   system.reactions(),
                   system.gather(system.right_hand_side()),
-                  {},
+                  multiply(system,
+                           Eigen::ArrayXd::LinSpaced(system.layout().n_dofs(),
+                                                     1,
+                                                     system.layout().n_dofs())
+                             .sin()
+                             .matrix()),
                   {},
                   static_cast<unsigned int>(
                     system.layout().owned_dofs().n_elements())};
-
-    const Epetra_Map map = system.matrix().OperatorDomainMap();
-    Epetra_Vector    x(map), y(map);
-    for (int i = 0; i < x.MyLength(); ++i)
-      x[i] = std::sin(1. + map.GID(i));
-    system.matrix().Apply(x, y);
-    result.product =
-      system.gather(std::vector<double>(y.Values(), y.Values() + y.MyLength()));
 
     std::vector<double> solution;
     LinearSolver(system.layout(), "double")

@@ -18,7 +18,8 @@ import subprocess
 import sys
 
 PROGRAM, SOURCE = sys.argv[1:3]
-SMALL_WEAVE = os.path.join(SOURCE, "tests", "scenes", "small_weave.prm")
+SCENES = os.path.join(SOURCE, "tests", "scenes")
+SMALL_WEAVE = os.path.join(SCENES, "small_weave.prm")
 
 # Ranks may be more than cores: let those that wait give way.
 os.environ.setdefault("OMPI_MCA_mpi_yield_when_idle", "1")
@@ -52,32 +53,34 @@ def run(*arguments, **options):
     return subprocess.run(command(*arguments, **options), capture_output=True, text=True)
 
 
-def curve(directory):
-    """Rows of loading_curve.csv; numbers where there are numbers."""
-    with open(os.path.join(directory, "loading_curve.csv")) as file:
-        return [{name: cell if name == "stage" else float(cell) for name, cell in row.items() if cell}
-                for row in csv.DictReader(file)]
+def curve(directory, file="loading_curve.csv"):
+    """Rows of loading_curve.csv, or of reactions.csv; numbers where there are numbers."""
+    with open(os.path.join(directory, file)) as rows:
+        return [{name: cell if name in ("stage", "body") else float(cell) for name, cell in row.items() if cell}
+                for row in csv.DictReader(rows)]
 
 
 def unit(column):
     return column[column.index("["):] if "[" in column else column
 
 
-def difference(one, other):
-    """Largest difference of two curves, over the largest value of that unit; None if rows differ."""
-    one, other = curve(one), curve(other)
+def difference(one, other, file):
+    """Largest difference of two files, over the largest value of that unit; None if rows differ."""
+    one, other = curve(one, file), curve(other, file)
     if [row.keys() for row in one] != [row.keys() for row in other]:
         return None
     scale = {}
     for row in one:
         for name, value in row.items():
-            if name != "stage":
+            if not isinstance(value, str):
                 scale[unit(name)] = max(scale.get(unit(name), 1e-300), abs(value))
+    if any(a[name] != b[name] for a, b in zip(one, other) for name in a if isinstance(a[name], str)):
+        return None
     return max((abs(a[name] - b[name]) / scale[unit(name)]
-                for a, b in zip(one, other) for name in a if name != "stage"), default=None)
+                for a, b in zip(one, other) for name in a if not isinstance(a[name], str)), default=None)
 
 
-def check_same(what, one, other, tolerance):
-    found = difference(one, other)
+def check_same(what, one, other, tolerance, file="loading_curve.csv"):
+    found = difference(one, other, file)
     shown = "rows differ" if found is None else f"differs by {found:.1e}, allowed {tolerance:.0e}"
     check(f"{what}: {shown}", found is not None and found <= tolerance)

@@ -10,6 +10,10 @@
 
 #include <fiberloom/model/system.h>
 
+#include <Epetra_Vector.h>
+
+#include <cstdlib>
+
 #include "sample_fibers.h"
 
 /**
@@ -52,6 +56,16 @@ struct SampleModel
     targets[0].load << .01, -.02, .03, 0, 0, 0;
     for (unsigned int b = 0; b < 2; ++b)
       targets[b].placement = state.placements[b];
+  }
+
+  /** Moves all unknowns a little, the same on any number of ranks. */
+  void
+  disturb(const fiberloom::System &system)
+  {
+    std::srand(5);
+    system.advance(state,
+                   .001 * Eigen::VectorXd::Random(system.layout().n_dofs()),
+                   1);
   }
 
   /** Pushes fibers 0 and 1, 1 and 2 together where they are. */
@@ -113,5 +127,19 @@ private:
       state.q, line.first_node + (end ? line.n_nodes() - 1 : 0), body, how));
   }
 };
+
+/** The product of the system's matrix and @p x , whole on every rank. */
+inline Eigen::VectorXd
+multiply(fiberloom::System &system, const Eigen::VectorXd &x)
+{
+  const Epetra_Map map = system.matrix().OperatorDomainMap();
+  Epetra_Vector    part(map), product(map);
+  for (int i = 0; i < part.MyLength(); ++i)
+    part[i] = x[map.GID(i)];
+  system.matrix().Apply(part, product);
+  return system.gather(
+    std::vector<double>(product.Values(),
+                        product.Values() + product.MyLength()));
+}
 
 #endif

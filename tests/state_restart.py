@@ -10,7 +10,7 @@ import subprocess
 import sys
 import time
 
-from program_runs import SMALL_WEAVE, check, check_same, command, curve, finish, run
+from program_runs import SCENES, SMALL_WEAVE, check, check_same, command, curve, finish, run
 
 
 def n_rows(directory):
@@ -20,9 +20,9 @@ def n_rows(directory):
         return 0
 
 
-def interrupt(directory, how, after_rows, ranks):
+def interrupt(arguments, directory, how, after_rows):
     """Status of a run that is interrupted once its curve has so many rows."""
-    process = subprocess.Popen(command(SMALL_WEAVE, directory, ranks=ranks),
+    process = subprocess.Popen(arguments,
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     while n_rows(directory) < after_rows and process.poll() is None:
         time.sleep(.01)
@@ -33,15 +33,32 @@ def interrupt(directory, how, after_rows, ranks):
     return process.wait()
 
 
-def check_restart(name, how, after_rows, ranks=1, status=3):
-    directory = f"{name}_{ranks}"
-    found = interrupt(directory, how, after_rows, ranks)
+def check_same_files(straight, directory):
+    for file in ("loading_curve.csv", "reactions.csv"):
+        check_same(f"  {file}", straight, directory, 1e-10, file)
+
+
+def check_restart(name, how, after_rows, *settings, straight=None, ranks=1, status=3, scene=SMALL_WEAVE):
+    directory, straight = f"{name}_{ranks}", straight or f"straight_{ranks}"
+    found = interrupt(command(scene, directory, *settings, ranks=ranks), directory, how, after_rows)
     check(f"{name} on {ranks} ranks: status {found}, expected {status}", found == status)
     rows = n_rows(directory)
-    check(f"  interrupted within the run, after {rows} rows", after_rows <= rows < n_rows(f"straight_{ranks}"))
-    again = run(SMALL_WEAVE, directory, ranks=ranks, restart=os.path.join(directory, "checkpoint"))
+    check(f"  interrupted within the run, after {rows} rows", after_rows <= rows < n_rows(straight))
+    again = run(scene, directory, *settings, ranks=ranks, restart=os.path.join(directory, "checkpoint"))
     check(f"  restarted: status {again.returncode} {again.stderr}", again.returncode == 0)
-    check_same("  curve", f"straight_{ranks}", directory, 1e-10)
+    check_same_files(straight, directory)
+
+
+def check_memory():
+    """What contacts remember, where it decides: half woven with friction; a class kept by hysteresis."""
+    nested = ["Stages=weave", "Weaving/Path=nested"]
+    done = run(SMALL_WEAVE, "weaving", *nested)
+    check(f"woven in {n_rows('weaving')} increments", done.returncode == 0)
+    check_restart("weave", "stop", 2, *nested, straight="weaving")
+
+    turning = os.path.join(SCENES, "turning_fibers.prm")
+    check("turning", run(turning, "turning").returncode == 0)
+    check_restart("turn", "stop", 31, straight="turning", scene=turning)
 
 
 def check_stop_at_once():
@@ -54,7 +71,7 @@ def check_stop_at_once():
     check("  stop is removed", not os.path.exists(os.path.join("at_once", "stop")))
     again = run(SMALL_WEAVE, "at_once", restart=os.path.join("at_once", "checkpoint"))
     check(f"  restarted: status {again.returncode}", again.returncode == 0)
-    check_same("  curve", "straight_1", "at_once", 1e-10)
+    check_same_files("straight_1", "at_once")
 
 
 def check_lists():
@@ -68,6 +85,17 @@ def check_lists():
     straight = [row for row in curve("straight_1") if row["stage"] == "biaxial"]
     check("  with the same result", [row["force_warp[N]"] for row in straight] ==
           [row["force_warp[N]"] for row in curve("on")])
+
+    # A run that had started from another's state is interrupted itself.
+    pull = "Stages=biaxial"
+    check("pulled", run(SMALL_WEAVE, "pulled", pull, restart=checkpoint).returncode == 0)
+    shutil.rmtree("later", ignore_errors=True)
+    interrupt(command(SMALL_WEAVE, "later", pull, restart=checkpoint), "later", "stop", 4)
+    check(f"  interrupted after {n_rows('later')} rows", 4 <= n_rows("later") < n_rows("pulled"))
+    again = run(SMALL_WEAVE, "later", pull, restart=os.path.join("later", "checkpoint"))
+    check(f"  restarted: status {again.returncode}", again.returncode == 0)
+    check_same_files("pulled", "later")
+
     done = run(SMALL_WEAVE, "woven", "Stages=weave, relax", restart=checkpoint)
     check("nothing is left", done.returncode == 0 and "nothing is left to do" in done.stdout)
     check("  and the files stay", n_rows("woven") == 2)
@@ -87,6 +115,7 @@ def main():
     check_restart("kill", signal.SIGKILL, 6, status=-signal.SIGKILL)
     check_restart("stop", "stop", 4, ranks=2)
     check_stop_at_once()
+    check_memory()
     check_lists()
     finish()
 

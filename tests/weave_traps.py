@@ -92,6 +92,8 @@ def main():
         for fibers in (1, 3):
             check_fabric(pattern, fibers)
     check_fabric("plain", 1, "Weaving/Path=nested")
+    # Tight, so that the closest points of bent fibers meet the kinks at element ends.
+    check_fabric("plain", 1, "Weaving/Path=nested", "Fabric/Warp/Tow spacing=0.112")
     finish()
 
 

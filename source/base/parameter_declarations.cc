@@ -473,6 +473,11 @@ namespace fiberloom
         "Family of tows whose middle one the slices cut along, across "
         "the tows of the other family.",
         Allowed::one_of("warp|fill|both|none"));
+      catalogue.add("Slices every",
+                    output.slices_every,
+                    "Increments between slices; 0: only at the start and at "
+                    "the end of a stage.",
+                    Allowed::whole(0, most_iterations));
       catalogue.add("Section points",
                     output.section_points,
                     "Points on the border of each section that is drawn.",

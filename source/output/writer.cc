@@ -124,12 +124,12 @@ namespace fiberloom
     try
       {
         collectively(comm, [&]() {
-          if (is_first_rank() &&
-              std::filesystem::exists(path("loading_curve.csv")))
-            curve.continue_from(read_file(path("loading_curve.csv")),
-                                parameters.stages,
-                                state.stage,
-                                state.increment);
+          for (IncrementTable *table : tables())
+            if (is_first_rank() && std::filesystem::exists(path(table->file())))
+              table->continue_from(read_file(path(table->file())),
+                                   parameters.stages,
+                                   state.stage,
+                                   state.increment);
         });
       }
     catch (const StageFailure &error)
@@ -183,7 +183,11 @@ namespace fiberloom
     summary.model.contact_elements = report.contacts.size();
 
     const std::string label = stage_label(parameters.stages, state.stage);
-    write_curve(report);
+    write_tables(report);
+    if (is_due(parameters.output.slices_every, report))
+      write_slices(state,
+                   report.stage,
+                   increment_label(label, state.increment));
     if (is_due(parameters.output.fields_every, report))
       write_fields(state,
                    report.contacts,
@@ -309,7 +313,7 @@ namespace fiberloom
 
 
   void
-  OutputWriter::write_curve(const IncrementReport &report)
+  OutputWriter::write_tables(const IncrementReport &report)
   {
     collectively(comm, [&]() {
       if (!is_first_rank())
@@ -319,8 +323,18 @@ namespace fiberloom
                    report.state.increment,
                    report.state.load,
                    report.curve);
-      write_file(path("loading_curve.csv"), curve.str());
+      reactions.append(report);
+      for (const IncrementTable *table : tables())
+        write_file(path(table->file()), table->str());
     });
+  }
+
+
+
+  std::array<IncrementTable *, 2>
+  OutputWriter::tables()
+  {
+    return {{&curve, &reactions}};
   }
 
 
@@ -347,9 +361,6 @@ namespace fiberloom
   OutputWriter::write_end_of_stage(const IncrementReport &report,
                                    const std::string     &label)
   {
-    write_slices(report.state,
-                 report.stage,
-                 increment_label(label, report.state.increment));
     if (parameters.output.pictures)
       write_pictures(report, label);
     collectively(comm, [&]() {

@@ -74,31 +74,23 @@ namespace fiberloom
       read_checkpoint(command_line.restart, describe_model(fibers, mesh), comm);
     const State &before = restart.state;
     parameters.check_stage_order(before.stages_done);
-    state       = before;
-    state.stage = n_stages_done();
-
     const auto &stages = parameters.stages;
-    const bool  under_way =
-      state.stage < stages.size() &&
-      before.stage < before.scene_stages.size() &&
-      (state.stage > 0 || before.scene_stages == stages ||
-       before.stages_done.empty()) &&
-      stages[state.stage] == before.scene_stages[before.stage];
-    if (!under_way)
-      {
-        state.increment = 0;
-        state.load      = 0;
-        state.step      = 0;
-      }
-    continues = (state.stage > 0 || under_way) && state.stage == before.stage &&
-                restarts_in_place();
+    const auto  next   = next_stage();
+    state              = before;
+    if (!next)
+      state.begin_stage(0);
+    else if (*next == stages.size() || stages[*next] != before.stage_name())
+      state.begin_stage(*next);
+    else
+      state.stage = *next; // under way
+    continues = next == before.stage && restarts_in_place();
     return state;
   }
 
 
 
-  unsigned int
-  Simulation::n_stages_done() const
+  std::optional<unsigned int>
+  Simulation::next_stage() const
   {
     const State &before = restart.state;
     const auto  &done   = before.stages_done;
@@ -109,7 +101,7 @@ namespace fiberloom
     // An interrupted run that itself had started from another's state.
     if (before.scene_stages == stages && before.stage < stages.size())
       return before.stage;
-    return 0;
+    return {};
   }
 
 
@@ -234,10 +226,7 @@ namespace fiberloom
           }
 
         state.stages_done.push_back(name);
-        ++state.stage;
-        state.increment = 0;
-        state.load      = 0;
-        state.step      = 0;
+        state.begin_stage(number + 1);
         writer.record(number, statistics);
         writer.save(state);
         writer.write_summary(state.stage == parameters.stages.size());

@@ -47,9 +47,8 @@ namespace fiberloom
         for (unsigned int side = 0; side < 2; ++side)
           {
             RigidBody body;
-            body.name = family_name(tow) + " " +
-                        std::to_string(tow.number + 1) +
-                        (side == 0 ? " start" : " end");
+            body.name = family_name(tow) + "_" + std::to_string(tow.number) +
+                        (side == 0 ? "_start" : "_end");
             if (axially_free)
               body.prescribed[tow.family == Tow::Family::warp ? 0 : 1] = false;
             for (const unsigned int fiber : tow.fibers)

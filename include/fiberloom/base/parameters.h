@@ -158,7 +158,9 @@ namespace fiberloom
   {
     unsigned int fields_every =
       1; // accepted increments; 0: only at the end of a stage
-    std::string  slices           = "both"; // warp | fill | both | none
+    std::string  slices = "both"; // warp | fill | both | none
+    unsigned int slices_every =
+      0; // accepted increments; 0: only at the start and end of a stage
     unsigned int section_points   = 12;
     unsigned int checkpoint_every = 1; // accepted increments
     bool         pictures         = true;

@@ -36,6 +36,22 @@ namespace fiberloom
     std::vector<std::string> stages_done;
     std::vector<std::string> scene_stages; // of the run that wrote it
 
+    void
+    begin_stage(const unsigned int number)
+    {
+      stage     = number;
+      increment = 0;
+      load      = 0;
+      step      = 0;
+    }
+
+    /** Empty after the last one. */
+    std::string
+    stage_name() const
+    {
+      return stage < scene_stages.size() ? scene_stages[stage] : "";
+    }
+
     template <class Archive>
     void
     serialize(Archive &ar, const unsigned int)

@@ -16,10 +16,12 @@
 #include <fiberloom/output/checkpoint.h>
 #include <fiberloom/output/curves.h>
 #include <fiberloom/output/fields.h>
+#include <fiberloom/output/reactions.h>
 #include <fiberloom/output/summary.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -114,7 +116,10 @@ namespace fiberloom
                  const std::string &label);
 
     void
-    write_curve(const IncrementReport &report);
+    write_tables(const IncrementReport &report);
+
+    std::array<IncrementTable *, 2>
+    tables();
 
     void
     write_pictures(const IncrementReport &report, const std::string &label);
@@ -133,6 +138,7 @@ namespace fiberloom
     FieldSeries                  section_series;
     FieldSeries                  contact_series;
     LoadingCurve                 curve;
+    ReactionTable                reactions;
     std::vector<StageStatistics> statistics;
   };
 } // namespace fiberloom

@@ -12,7 +12,7 @@
 
 #include <fiberloom/output/writer.h>
 
-#include <memory>
+#include <optional>
 
 namespace fiberloom
 {
@@ -47,9 +47,13 @@ namespace fiberloom
     State
     initial_state();
 
-    /** How many stages of the scene the restart file has behind it. */
-    unsigned int
-    n_stages_done() const;
+    /**
+     * Number of the stage in which the run of the restart file is to go on, as
+     * many as there are if none is left; nothing if the scene's stages do not
+     * continue that run.
+     */
+    std::optional<unsigned int>
+    next_stage() const;
 
     /** Whether the restart file lies in the output directory. Collective. */
     bool

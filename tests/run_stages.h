@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_tests_run_stages_h
+#define fiberloom_tests_run_stages_h
+
+#include <fiberloom/simulation/stage_run.h>
+
+/** Runs the stages of @p parameters on @p fibers , without any file. */
+inline void
+run_stages(const fiberloom::Parameters        &parameters,
+           const fiberloom::FiberSet          &fibers,
+           const fiberloom::IncrementObserver &observer)
+{
+  using namespace fiberloom;
+  const FiberMesh  mesh(fibers);
+  const Scene      scene{parameters, fibers, mesh};
+  ContactGenerator generator(fibers, mesh, parameters.contact);
+  Log              log(MPI_COMM_WORLD);
+  State            state;
+  state.q = mesh.reference();
+  for (const std::string &name : parameters.stages)
+    {
+      const auto      stage = create_stage(name, scene);
+      StageStatistics statistics;
+      StageRun(scene,
+               *stage,
+               name,
+               generator,
+               statistics,
+               log,
+               MPI_COMM_WORLD,
+               []() { return false; })
+        .run(state, observer);
+      state.begin_stage(state.stage + 1);
+    }
+}
+
+#endif
