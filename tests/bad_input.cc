@@ -10,6 +10,8 @@
 
 #include <fiberloom/fabric/fabric_parameters.h>
 
+#include <fiberloom/stages/stage.h>
+
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
@@ -53,6 +55,10 @@ read_all(const std::string &file, const Words &overrides)
   Parameters parameters = Parameters::parse(file, overrides);
   resolve_fabric(parameters);
   parameters.check_stage_order({});
+  const FiberSet  fibers = build_fiber_set(parameters);
+  const FiberMesh mesh(fibers);
+  for (const std::string &stage : parameters.stages)
+    create_stage(stage, {parameters, fibers, mesh});
 }
 
 unsigned int
@@ -144,6 +150,40 @@ check_files()
      {drive + "set Ends = 0 begin\nend\n", {"line 7", "Ends", "0 begin"}},
      {drive + "set Ends = 1 end\nend\n", {"line 7", "Ends", "no fiber for 1"}},
      {drive + "set Ends = 0 end, 0 end\nend\n", {"line 7", "Ends", "twice"}},
+     {drive + "set Ends = 0 end, all end\nend\n", {"line 7", "Ends", "twice"}},
+     {drive + "set Ends = 0 at 1.5\nend\n", {"line 7", "Ends", "from 0 to 1"}},
+     {drive + "set Ends = 0-3 end\nend\n", {"line 7", "no fiber for 0-3"}},
+     {drive + "set Ends = 0 end, 0 at 0.98\nend\n", {"at 0.98", "twice"}},
+     {drive + "set Ends = end\nend\n", {"line 7", "names nothing", "3-5 end"}},
+     {drive + "set Ends = warp start\nend\n", {"line 7", "there is no warp"}},
+     {drive + "set Ends = 0 end\nset Held = x w\nend\n",
+      {"line 8", "Held", "w cannot be held", "spin"}},
+     {drive + "set Ends = 0 end\nset Center = 1 2\nend\n",
+      {"line 8", "Center", "three numbers"}},
+     {drive + "set Ends = 0 end\nset Translation = 0; 0; 1+t\nend\n",
+      {"line 8", "Translation", "not 0 at t = 0"}},
+     {drive + "set Ends = 0 end\nset Rotation = if(t<0.5,0,3); 0; 0\nend\n",
+      {"line 8", "Rotation", "jumps"}},
+     {drive + "set Ends = 0 end\nset Rotation = sqrt(0.5-t); 0; 0\nend\n",
+      {"line 8", "Rotation", "not finite at t = 0.505"}},
+     {drive + "set Ends = 0 end\nend\nsubsection Load\n"
+               "set Gravity = 0; 0; -9810\nend\n",
+      {"line 10", "Gravity", "Fibers/Density"}},
+     {drive + "set Ends = 0 end\nend\nsubsection Load\n"
+               "set Line load = 1; 0\nend\n",
+      {"line 10", "Line load", "2 functions"}},
+     {drive + "set Ends = 0 end\nend\nsubsection Load\n"
+               "set Loaded fibers = 1\nend\n",
+      {"line 10", "Loaded fibers", "no fiber for 1"}},
+     {drive + "set Ends = 0 end\nend\nsubsection Load\n"
+               "set Probes = 0 middle\nend\n",
+      {"line 10", "Probes", "0 middle", "0 start"}},
+     {drive + "set Ends = 0 end\nset Held = x y spin\nset Free = z\nend\n",
+      {"line 9", "Free", "motion along z"}},
+     {drive + "set Ends = 0 end\nset Hold = pinned\nset Free = ry\nend\n",
+      {"line 9", "Free", "motion along ry"}},
+     {drive + "set Ends = 0 end\nset Held = x y z radial\nend\n",
+      {"line 8", "Held", "reference point", "Center"}},
      {drive + "set Ends = 0 end\nset Free = xy\nend\n",
       {"line 8", "Free", "xy"}},
      {drive + "set Ends = 0 end\nset Hold = glued\nend\n",

@@ -6,6 +6,8 @@
 // slope of the residual, held nodes keep what is held, and the reactions of the
 // bodies balance the forces on the nodes.
 
+#include <fiberloom/model/held_nodes.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <fstream>
@@ -39,7 +41,7 @@ namespace
         system.advance(model.state, increment, 1);
       }
     for (unsigned int b = 0; b < 2; ++b)
-      model.targets[b].placement = model.state.placements[b];
+      model.targets.bodies[b].placement = model.state.placements[b];
   }
 
   /** Components along the frames of what the bodies hold. */
@@ -49,18 +51,24 @@ namespace
     std::vector<double> values;
     for (const auto &attachment : model.supports.attachments)
       {
-        const Placement &body = model.state.placements[attachment.body];
-        const Matrix3    frame =
-          body.rotation.toRotationMatrix() * attachment.frame;
-        for (unsigned int k = 0; k < 9; ++k)
+        const Placement &body     = model.state.placements[attachment.body];
+        const Matrix3    rotation = body.rotation.toRotationMatrix();
+        const NodeVector node = model.state.q.segment<9>(9 * attachment.node);
+        const auto       component = [&](const unsigned int k) {
+          if (k < 3)
+            return (rotation * attachment.center_frame.col(k))
+              .dot(node.head<3>() - body.position);
+          return (rotation * attachment.frame.col(k % 3))
+            .dot(node.segment<3>(k / 3 * 3));
+        };
+        const bool radial = !attachment.radial.isZero(0);
+        for (unsigned int k = 0; k < (radial ? 3 : 9); ++k)
           if (attachment.held[k])
-            {
-              Vector3 v =
-                model.state.q.segment<3>(9 * attachment.node + k / 3 * 3);
-              if (k < 3)
-                v -= body.position;
-              values.push_back(frame.col(k % 3).dot(v));
-            }
+            values.push_back(component(k));
+        if (radial)
+          values.push_back(
+            (rotation * attachment.radial)
+              .dot(node.segment<3>(3).cross(Vector3(node.tail<3>()))));
       }
     return values;
   }
@@ -92,7 +100,7 @@ namespace
       auto contacts = model.contacts;
       auto targets  = model.targets;
       for (unsigned int b = 0; b < 2; ++b)
-        targets[b].placement = state.placements[b];
+        targets.bodies[b].placement = state.placements[b];
       system.assemble(state, targets, contacts);
       return -Eigen::Map<const Eigen::VectorXd>(system.right_hand_side().data(),
                                                 n);
@@ -127,14 +135,15 @@ namespace
             (system.energy(moved(i, h), model.contacts) -
              system.energy(moved(i, -h), model.contacts)) /
               (2 * h) -
-            system.load_work(model.targets, Eigen::VectorXd::Unit(n, i));
+            (system.load_work(model.targets, moved(i, -h), moved(i, h))) /
+              (2 * h);
       return slope;
     }
 
     /**
-     * Symmetric part. The rotation vectors of the residual start anew at each
-     * placement, which adds to its slope half the cross product with the
-     * moment: antisymmetric, and zero in equilibrium.
+     * The rotation vectors of the residual start anew at each placement, which
+     * adds to its slope half the cross product with the internal moment:
+     * antisymmetric, and in equilibrium that of the moment from outside.
      */
     Eigen::MatrixXd
     residual_slope()
@@ -144,7 +153,7 @@ namespace
         if (is_free[i])
           slope.col(i) =
             (residual(moved(i, h)) - residual(moved(i, -h))) / (2 * h);
-      return .5 * (slope + slope.transpose());
+      return slope;
     }
 
   private:
@@ -167,6 +176,10 @@ namespace
     const auto &rhs   = system.right_hand_side();
     for (unsigned int n = 0; n < model.mesh.n_nodes(); ++n)
       {
+        const Vector3 outer = model.targets.node_forces[n];
+        force += outer;
+        moment += Vector3(model.state.q.segment<3>(9 * n)).cross(outer);
+
         bool held = false;
         for (const auto &attachment : model.supports.attachments)
           held |= attachment.node == n;
@@ -213,7 +226,7 @@ main(int argc, char **argv)
   double     slip  = 0;
   for (unsigned int i = 0; i < before.size(); ++i)
     slip = std::max(slip, std::abs(after[i] - before[i]));
-  checks.equal("held dofs", before.size(), 7 + 7 + 4 + 5 + 1 + 3);
+  checks.equal("held dofs", before.size(), 7 + 7 + 4 + 5 + 1 + 3 + 2);
   checks.below("held dofs move with their bodies", slip, 1e-12);
   for (const Placement &placement : model.state.placements)
     checks.above("body turned by",
@@ -237,7 +250,18 @@ main(int argc, char **argv)
   checks.below("symmetry of the matrix",
                relative_error(K, K.transpose()),
                1e-12);
+  const Eigen::MatrixXd slope = differences.residual_slope();
   checks.below("matrix against residual",
-               relative_error(K, differences.residual_slope()),
+               relative_error(K, .5 * (slope + slope.transpose())),
+               1e-6);
+
+  for (unsigned int b = 0; b < 2; ++b)
+    model.targets.bodies[b].load.tail<3>() = system.reactions()[b].tail<3>();
+  const Eigen::MatrixXd loaded = differences.matrix();
+  checks.above("moments make the matrix unsymmetric by",
+               relative_error(loaded, loaded.transpose()),
+               1e-3);
+  checks.below("matrix against residual, with balanced moments",
+               relative_error(loaded, slope),
                1e-6);
 }

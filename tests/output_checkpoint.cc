@@ -28,6 +28,9 @@ namespace
     state.placements.resize(2);
     state.placements[1].position = Vector3(1. / 7, 2, 3);
     state.placements[1].rotation = Eigen::AngleAxisd(.3, Vector3(1, 2, 2) / 3.);
+    state.placements[1].turn     = Vector3(20, -1. / 3, 0);
+    state.stage_start_q          = DofVector::Constant(18, 1. / 7);
+    state.dissipation            = 1e-7 / 3;
     state.contact.zones.resize(1);
     state.contact.zones[0].fibers    = {{4, 9}};
     state.contact.zones[0].range     = {{{{.1, .2}}, {{.3, .4}}}};
@@ -57,7 +60,10 @@ namespace
            s.placements[1].position == t.placements[1].position &&
            s.placements[1].rotation.coeffs() ==
              t.placements[1].rotation.coeffs() &&
-           z.fibers == y.fibers && z.range == y.range && z.side == y.side &&
+           s.placements[1].turn == t.placements[1].turn &&
+           s.stage_start_q == t.stage_start_q &&
+           s.dissipation == t.dissipation && z.fibers == y.fibers &&
+           z.range == y.range && z.side == y.side &&
            z.stiffness == y.stiffness &&
            s.contact.history[0].slip == t.contact.history[0].slip &&
            s.contact.history[0].u == t.contact.history[0].u &&

@@ -35,14 +35,14 @@ namespace
     System system(model.mesh, model.supports, comm);
 
     model.disturb(system);
-    model.targets[1].placement.position = Vector3(6.1, -2, 1);
+    model.targets.bodies[1].placement.position = Vector3(6.1, -2, 1);
     model.add_contacts(.02, .001);
     system.reinit(model.contacts);
     system.assemble(model.state, model.targets, model.contacts);
 
     Result result{system.energy(model.state, model.contacts),
                   system.residual_norm(),
-                  system.internal_force_scale(),
+                  system.force_scale(),
                   system.reactions(),
                   system.gather(system.right_hand_side()),
                   multiply(system,

@@ -23,14 +23,16 @@ run_stages(const fiberloom::Parameters        &parameters,
     {
       const auto      stage = create_stage(name, scene);
       StageStatistics statistics;
-      StageRun(scene,
-               *stage,
-               name,
-               generator,
-               statistics,
-               log,
-               MPI_COMM_WORLD,
-               []() { return false; })
+      StageRun(
+        scene,
+        *stage,
+        name,
+        generator,
+        statistics,
+        log,
+        MPI_COMM_WORLD,
+        []() { return false; },
+        state)
         .run(state, observer);
       state.begin_stage(state.stage + 1);
     }

@@ -19,7 +19,7 @@
 /**
  * Two crossing fibers in contact and a curved third one, held by two rigid
  * bodies in every way there is: the first free in all dofs and loaded, the
- * second prescribed in some.
+ * second prescribed in some. A force acts on a node held by the first one.
  */
 struct SampleModel
 {
@@ -27,7 +27,7 @@ struct SampleModel
   const fiberloom::FiberMesh             mesh;
   fiberloom::Supports                    supports;
   fiberloom::State                       state;
-  std::vector<fiberloom::BodyTarget>     targets;
+  fiberloom::Targets                     targets;
   std::vector<fiberloom::ContactElement> contacts;
 
   explicit SampleModel(const unsigned int n_elements = 2)
@@ -48,14 +48,23 @@ struct SampleModel
     hold(1, true, 1, Hold::direction);
     hold(2, false, 0, Hold::axial);
     hold(2, true, 1, Hold::center);
+    supports.attachments.push_back(
+      attach(state.q,
+             mesh.lines()[2].first_node + n_elements,
+             1,
+             "z radial",
+             Vector3(0, 0, 5)));
 
     state.placements.resize(2);
     state.placements[0].position = Vector3(-7, 1, 2);
     state.placements[1].position = Vector3(6, -2, 1);
-    targets.resize(2);
-    targets[0].load << .01, -.02, .03, 0, 0, 0;
+    targets.bodies.resize(2);
+    targets.bodies[0].load << .01, -.02, .03, 0, 0, 0;
     for (unsigned int b = 0; b < 2; ++b)
-      targets[b].placement = state.placements[b];
+      targets.bodies[b].placement = state.placements[b];
+    targets.node_forces.assign(mesh.n_nodes(), Vector3::Zero());
+    targets.node_forces[0] = Vector3(.02, .01, -.03);
+    targets.node_forces[1] = Vector3(.01, .03, .02);
   }
 
   /** Moves all unknowns a little, the same on any number of ranks. */

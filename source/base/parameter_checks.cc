@@ -2,8 +2,9 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
-#include <fiberloom/base/parsed_functions.h>
+#include <fiberloom/base/vector_function.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -20,6 +20,9 @@ namespace fiberloom
 {
   namespace
   {
+    // Points of the load at which functions are looked at.
+    constexpr unsigned int n_samples = 200;
+
     void
     resolve_tows(TowParameters       &tows,
                  const TowParameters &crossing,
@@ -65,33 +68,74 @@ namespace fiberloom
 
     using Components = std::array<bool, 3>;
 
-    /** Which of three functions of t differ from "0". Throws InputError. */
-    Components
-    check_functions(const std::string &functions, const std::string &where)
+    /** Three functions of t that are finite from 0 to @p end . Throws
+     * InputError. */
+    VectorFunction
+    read_functions(const std::string &functions,
+                   const double       end,
+                   const std::string &where)
     {
       const std::string allowed = "; allowed: three functions of t with "
                                   "semicolons between, such as 0; 0; 0.1*t";
-      const std::vector<std::string> parts =
-        dealii::Utilities::split_string_list(functions, ';');
-      if (parts.size() != 3)
-        throw InputError(where + ": " + std::to_string(parts.size()) +
-                         " functions" + allowed);
-
+      const std::size_t n =
+        dealii::Utilities::split_string_list(functions, ';').size();
+      if (n != 3)
+        throw InputError(where + ": " + std::to_string(n) + " functions" +
+                         allowed);
       try
         {
-          const ParsedFunctions<1> parsed(functions, 3, "t");
-          for (unsigned int i = 0; i < 3; ++i)
-            for (const double t : {0., .5, 1.})
-              if (!std::isfinite(parsed.value(dealii::Point<1>(t), i)))
-                throw InputError("not finite");
+          VectorFunction parsed(functions);
+          for (unsigned int i = 0; i <= n_samples; ++i)
+            if (!parsed.value(end * i / n_samples).allFinite())
+              throw InputError("not finite at t = " +
+                               exact_text(end * i / n_samples));
+          return parsed;
         }
       catch (const InputError &error)
         {
           throw InputError(where + " = " + functions + ": " + error.what() +
                            allowed);
         }
+    }
 
-      return {{parts[0] != "0", parts[1] != "0", parts[2] != "0"}};
+    /** Which of the components are not always 0. */
+    Components
+    nonzero_components(const VectorFunction &function, const double end)
+    {
+      Components nonzero{{false, false, false}};
+      for (unsigned int i = 0; i <= n_samples; ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          nonzero[c] =
+            nonzero[c] || function.value(end * i / n_samples)[c] != 0;
+      return nonzero;
+    }
+
+    bool
+    is_zero(const VectorFunction &function, const double end)
+    {
+      return nonzero_components(function, end) == Components();
+    }
+
+    void
+    check_starts_at_zero(const VectorFunction &motion, const std::string &where)
+    {
+      if (motion.value(0).norm() > 1e-12)
+        throw InputError(where +
+                         ": it is not 0 at t = 0; allowed: the motion relative "
+                         "to the start of the stage, such as 0; 0; 0.1*t");
+    }
+
+    /** Turns can be followed. */
+    void
+    check_turns(const VectorFunction &rotation,
+                const LoadParameters &load,
+                const std::string    &where)
+    {
+      if (!(rotation.step_within(LoadParameters::largest_turn,
+                                 load.largest_step,
+                                 load.end) > 0))
+        throw InputError(where + ": it jumps by more than 15 degrees; "
+                                 "allowed: functions without jumps");
     }
 
     std::set<std::string>
@@ -113,18 +157,27 @@ namespace fiberloom
     }
 
     void
-    check_ends(const std::string &ends, const std::string &where)
+    check_held(const std::string &held, const std::string &where)
     {
-      const std::regex end("\\d{1,9} (start|end)");
-      const auto       list = dealii::Utilities::split_string_list(ends, ',');
-      if (list.empty())
-        throw InputError(where + ": no end is named; allowed: a list such as "
-                                 "0 start, 0 end, 3 start");
-      for (const std::string &text : list)
-        if (!std::regex_match(text, end))
-          throw InputError(where + ": \"" + text +
-                           "\" is no end of a fiber; allowed: a list such as "
-                           "0 start, 0 end, 3 start");
+      std::istringstream in(held);
+      for (std::string word; in >> word;)
+        if (word != "x" && word != "y" && word != "z" && word != "spin" &&
+            word != "tilt" && word != "radial")
+          throw InputError(where + ": " + word +
+                           " cannot be held; allowed: x, y, z, spin, tilt, "
+                           "radial with blanks between");
+    }
+
+    void
+    check_center(const std::string &center, const std::string &where)
+    {
+      std::istringstream in(center);
+      double             x, y, z;
+      std::string        more;
+      if (!center.empty() && (!(in >> x >> y >> z) || in >> more))
+        throw InputError(where + " = " + center +
+                         " is no point; allowed: three numbers x y z with "
+                         "blanks between");
     }
 
     /** Motion where it is free or load where it is not would be ignored. */
@@ -132,7 +185,12 @@ namespace fiberloom
     check_drive(const DriveParameters &drive, const Parameters &parameters)
     {
       const std::string section = "Drive " + drive.name + "/";
-      check_ends(drive.ends, parameters.where(section + "Ends"));
+      if (drive.ends.empty())
+        throw InputError(parameters.where(section + "Ends") +
+                         ": no end is named; allowed: a list such as 0 start, "
+                         "3-5 end, all at 0.5");
+      check_held(drive.held, parameters.where(section + "Held"));
+      check_center(drive.center, parameters.where(section + "Center"));
       const std::set<std::string> free =
         check_free(drive.free, parameters.where(section + "Free"));
 
@@ -150,7 +208,10 @@ namespace fiberloom
             Quantity{"Moment", drive.moment, "r", true}})
         {
           const std::string where = parameters.where(section + quantity.name);
-          const Components  given = check_functions(quantity.functions, where);
+          const VectorFunction function =
+            read_functions(quantity.functions, parameters.load.end, where);
+          const Components given =
+            nonzero_components(function, parameters.load.end);
           for (unsigned int i = 0; i < 3; ++i)
             {
               const std::string dof     = quantity.prefix + "xyz"[i];
@@ -162,7 +223,31 @@ namespace fiberloom
                                  std::to_string(i + 1) + ", or another entry " +
                                  section + "Free");
             }
+          if (!quantity.acts_on_free)
+            check_starts_at_zero(function, where);
+          if (quantity.name == "Rotation")
+            check_turns(function, parameters.load, where);
         }
+    }
+
+    void
+    check_distributed_loads(const Parameters &parameters)
+    {
+      const LoadParameters &load = parameters.load;
+      read_functions(load.line_load,
+                     load.end,
+                     parameters.where("Load/Line load"));
+      const std::string where = parameters.where("Load/Gravity");
+      const bool        heavy =
+        parameters.is_fabric() ?
+                 parameters.fabric.warp.density + parameters.fabric.fill.density > 0 :
+                 *std::max_element(parameters.fibers.density.begin(),
+                            parameters.fibers.density.end()) > 0;
+      if (!is_zero(read_functions(load.gravity, load.end, where), load.end) &&
+          !heavy)
+        throw InputError(where + ": the fibers have no weight; allowed: " +
+                         (parameters.is_fabric() ? "Fabric/Warp/" : "Fibers/") +
+                         "Density above 0");
     }
   } // namespace
 
@@ -214,6 +299,7 @@ namespace fiberloom
       }
     for (const DriveParameters &drive : drives)
       check_drive(drive, *this);
+    check_distributed_loads(*this);
 
     check_layers(fabric.warp, where("Fabric/Warp/Layers"));
     check_layers(fabric.fill, where("Fabric/Fill/Layers"));

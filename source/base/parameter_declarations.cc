@@ -15,7 +15,8 @@ namespace fiberloom
     void
     declare_material(ParameterCatalogue &catalogue,
                      double             &young_modulus,
-                     double             &poisson_ratio)
+                     double             &poisson_ratio,
+                     double             &density)
     {
       catalogue.add("Young modulus",
                     young_modulus,
@@ -25,6 +26,11 @@ namespace fiberloom
                     poisson_ratio,
                     "Poisson's ratio of the fibers.",
                     Allowed::from_to_below(0, .5));
+      catalogue.add("Density",
+                    density,
+                    "Density of the fibers [t/mm^3], such as 2.5e-9 for glass; "
+                    "only for Load/Gravity.",
+                    Allowed::at_least(0));
     }
 
     void
@@ -107,7 +113,10 @@ namespace fiberloom
                     "tow, at both ends [mm]. 0: half the spacing of the "
                     "crossing tows.",
                     Allowed::at_least(0));
-      declare_material(catalogue, tows.young_modulus, tows.poisson_ratio);
+      declare_material(catalogue,
+                       tows.young_modulus,
+                       tows.poisson_ratio,
+                       tows.density);
       catalogue.add(
         "Elements per fiber",
         tows.elements_per_fiber,
@@ -211,6 +220,11 @@ namespace fiberloom
                     fibers.poisson_ratio,
                     "Poisson's ratio of the fibers; several as for Radius.",
                     Allowed::list_of(Allowed::from_to_below(0, .5), 1));
+      catalogue.add("Density",
+                    fibers.density,
+                    "Density of the fibers [t/mm^3], only for Load/Gravity; "
+                    "several as for Radius.",
+                    Allowed::list_of(Allowed::at_least(0), 1));
       catalogue.add("Elements per fiber",
                     fibers.elements_per_fiber,
                     "Number of quadratic beam elements along each fiber.",
@@ -228,8 +242,12 @@ namespace fiberloom
       catalogue.add(
         "Ends",
         drive.ends,
-        "Ends of fibers, counted from 0, that the rigid body holds.",
-        Allowed::text_like("such as 0 start, 0 end, 3 start"));
+        "Points of fibers that the rigid body holds: fibers, counted from 0, "
+        "and start, end, at a fraction of the length (the nearest node is "
+        "taken), or whole for all nodes. warp and fill are all fibers of that "
+        "family, or of the tows whose numbers follow.",
+        Allowed::text_like("such as 0 start, 3-5 end, all at 0.5, 1 whole, "
+                           "warp start, fill 2 end"));
       catalogue.add("Hold",
                     drive.hold,
                     "How it holds them: clamped holds the axis' end and the "
@@ -237,33 +255,51 @@ namespace fiberloom
                     "rotation of the section about the axis; centers only the "
                     "axis' end.",
                     Allowed::one_of("clamped|pinned|centers"));
+      catalogue.add(
+        "Held",
+        drive.held,
+        "What is held at each point, one by one, in place of Hold: x, y and z "
+        "of the axis, along the axes of the sample as the body turns them; "
+        "spin, the rotation of the section about the axis; tilt, the "
+        "direction of the axis; radial, only its tilt towards or away from "
+        "the body's reference point. Empty: as Hold "
+        "says.",
+        Allowed::text_like("any of x y z spin tilt radial with blanks "
+                           "between"));
       catalogue.add("Free",
                     drive.free,
                     "Degrees of freedom of the body that are not prescribed; "
                     "rx is the rotation about x.",
                     Allowed::text_like("any of x y z rx ry rz with blanks "
                                        "between"));
+      catalogue.add("Center",
+                    drive.center,
+                    "Reference point of the body at the start of the stage "
+                    "[mm], about which it turns and to which moments refer. "
+                    "Empty: the mean of the points that it holds.",
+                    Allowed::text_like("three numbers x y z with blanks "
+                                       "between"));
       catalogue.add("Translation",
                     drive.translation,
-                    "Displacement of the body [mm] along x, y and z while t "
-                    "goes from 0 to 1.",
+                    "Displacement of the body's reference point [mm], 0 at "
+                    "the start.",
                     functions);
       catalogue.add("Rotation",
                     drive.rotation,
-                    "Rotation vector of the body [rad] while t goes from 0 to "
-                    "1.",
+                    "Rotation vector of the body [rad] about its reference "
+                    "point, 0 at the start; its length may be any number of "
+                    "turns.",
                     functions);
       catalogue.add("Force",
                     drive.force,
-                    "Dead force [N] on the degrees of freedom x, y and z that "
-                    "are free, while t goes from 0 to 1.",
+                    "Dead force [N] on those of the degrees of freedom x, y "
+                    "and z that are free.",
                     functions);
-      catalogue.add(
-        "Moment",
-        drive.moment,
-        "Moment [N mm] on the degrees of freedom rx, ry and rz that "
-        "are free, while t goes from 0 to 1.",
-        functions);
+      catalogue.add("Moment",
+                    drive.moment,
+                    "Moment [N mm], fixed in space, on those of the degrees "
+                    "of freedom rx, ry and rz that are free.",
+                    functions);
       catalogue.leave_section();
     }
 
@@ -343,26 +379,49 @@ namespace fiberloom
     }
 
     void
-    declare_steps(ParameterCatalogue &catalogue,
-                  double             &first_step,
-                  double             &largest_step,
-                  const std::string  &whole)
+    declare_load(ParameterCatalogue &catalogue, LoadParameters &load)
     {
+      const Allowed functions =
+        Allowed::text_like("three functions of t with semicolons between");
+      catalogue.enter_section("Load");
+      catalogue.add("End",
+                    load.end,
+                    "Where t, which starts at 0, ends. An increment ends at "
+                    "each whole t, so that phases of a test can be given as "
+                    "0 to 1, 1 to 2 ...",
+                    Allowed::from_to(1e-3, 1e3));
       catalogue.add("First step",
-                    first_step,
-                    "First increment, over " + whole +
-                      "; never more than the largest step.",
-                    Allowed::from_to(1e-6, 1));
+                    load.first_step,
+                    "First increment of t; never more than the largest step.",
+                    Allowed::from_to(1e-6, 1e3));
       catalogue.add("Largest step",
-                    largest_step,
-                    "Largest increment, over " + whole + ".",
-                    Allowed::from_to(1e-6, 1));
+                    load.largest_step,
+                    "Largest increment of t. No increment turns a drive by "
+                    "more than 15 degrees.",
+                    Allowed::from_to(1e-6, 1e3));
+      catalogue.add("Line load",
+                    load.line_load,
+                    "Dead load along the fibers [N/mm of stress-free length].",
+                    functions);
+      catalogue.add("Gravity",
+                    load.gravity,
+                    "Acceleration of gravity [mm/s^2], such as 0; 0; -9810; "
+                    "the weight is that of Density.",
+                    functions);
+      catalogue.add("Loaded fibers",
+                    load.loaded_fibers,
+                    "Fibers that Line load and Gravity act on.",
+                    Allowed::text_like("such as all, 0, 3-5, warp, fill 0-2"));
+      catalogue.add("Probes",
+                    load.probes,
+                    "Points of fibers whose positions get columns in the "
+                    "loading curve.",
+                    Allowed::text_like("such as 0 end, 3 at 0.5, all at 0.5"));
+      catalogue.leave_section();
     }
 
     void
-    declare_tests(ParameterCatalogue &catalogue,
-                  BiaxialParameters  &biaxial,
-                  LoadParameters     &load)
+    declare_biaxial(ParameterCatalogue &catalogue, BiaxialParameters &biaxial)
     {
       catalogue.enter_section("Biaxial");
       catalogue.add("Largest strain",
@@ -379,17 +438,15 @@ namespace fiberloom
                     biaxial.leading_direction,
                     "Direction that takes the largest strain.",
                     Allowed::one_of("warp|fill"));
-      declare_steps(catalogue,
+      catalogue.add("First step",
                     biaxial.first_step,
+                    "First increment, over the largest strain; never more "
+                    "than the largest step.",
+                    Allowed::from_to(1e-6, 1));
+      catalogue.add("Largest step",
                     biaxial.largest_step,
-                    "the largest strain");
-      catalogue.leave_section();
-
-      catalogue.enter_section("Load");
-      declare_steps(catalogue,
-                    load.first_step,
-                    load.largest_step,
-                    "the whole of stage load, in which t goes from 0 to 1");
+                    "Largest increment, over the largest strain.",
+                    Allowed::from_to(1e-6, 1));
       catalogue.leave_section();
     }
 
@@ -520,8 +577,8 @@ namespace fiberloom
                   Allowed::at_least(0));
     catalogue.add("Drives",
                   drive_names,
-                  "Names, chosen by the user, of rigid bodies that hold fiber "
-                  "ends. Each NAME has a section Drive NAME.",
+                  "Names, chosen by the user, of rigid bodies that hold points "
+                  "of fibers. Each NAME has a section Drive NAME.",
                   Allowed::list_of(Allowed::text_like("names")));
     declare_fabric(catalogue, fabric);
     declare_fibers(catalogue, fibers);
@@ -529,7 +586,8 @@ namespace fiberloom
       declare_drive(catalogue, drive);
     declare_contact(catalogue, contact);
     declare_weaving(catalogue, weaving);
-    declare_tests(catalogue, biaxial, load);
+    declare_biaxial(catalogue, biaxial);
+    declare_load(catalogue, load);
     declare_solver(catalogue, solver);
     declare_output(catalogue, output);
   }

@@ -208,6 +208,17 @@ namespace fiberloom
 
 
 
+  double
+  dissipated_energy(const ContactElement &contact, const SectionPair &x)
+  {
+    if (!(contact.friction_limit > 0))
+      return 0;
+    const double slip = trial_slip(contact, x).norm();
+    return contact.friction_limit * std::max(0., slip - contact.elastic_slip);
+  }
+
+
+
   bool
   evaluate_contact(ContactElement    &contact,
                    const SectionPair &x,

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/base/exceptions.h>
+
 #include <fiberloom/coupling/hold.h>
 
-#include <vector>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <sstream>
 
 namespace fiberloom
 {
@@ -33,23 +38,128 @@ namespace fiberloom
 
 
 
+  namespace
+  {
+    Attachment
+    attach_nothing(const DofVector   &q,
+                   const unsigned int node,
+                   const unsigned int body)
+    {
+      Attachment attachment;
+      attachment.node = node;
+      attachment.body = body;
+
+      const Vector3 first = q.segment<3>(9 * node + 3).normalized();
+      const Vector3 axis = first.cross(q.segment<3>(9 * node + 6)).normalized();
+      attachment.frame.col(0) = first;
+      attachment.frame.col(1) = axis.cross(first);
+      attachment.frame.col(2) = axis;
+      return attachment;
+    }
+
+    /** From @p center to the node, across the fiber's axis. */
+    Vector3
+    radial_direction(const Attachment &attachment,
+                     const DofVector  &q,
+                     const Vector3    &center)
+    {
+      const Vector3 axis   = attachment.frame.col(2);
+      const Vector3 lever  = q.segment<3>(9 * attachment.node) - center;
+      const Vector3 radial = lever - axis * axis.dot(lever);
+      if (!(radial.norm() >
+            1e-6 * q.segment<3>(9 * attachment.node + 3).norm()))
+        throw InputError("a fiber passes through the reference point, from "
+                         "where nothing is radial");
+      return radial.normalized();
+    }
+  } // namespace
+
+
+
   Attachment
   attach(const DofVector   &q,
          const unsigned int node,
          const unsigned int body,
          const Hold         hold)
   {
-    Attachment attachment;
-    attachment.node = node;
-    attachment.body = body;
+    Attachment attachment   = attach_nothing(q, node, body);
+    attachment.center_frame = attachment.frame;
     for (const unsigned int component : held_components(hold))
       attachment.held.set(component);
-
-    const Vector3 first = q.segment<3>(9 * node + 3).normalized();
-    const Vector3 axis  = first.cross(q.segment<3>(9 * node + 6)).normalized();
-    attachment.frame.col(0) = first;
-    attachment.frame.col(1) = axis.cross(first);
-    attachment.frame.col(2) = axis;
     return attachment;
+  }
+
+
+
+  Attachment
+  attach(const DofVector   &q,
+         const unsigned int node,
+         const unsigned int body,
+         const std::string &held,
+         const Vector3     &center)
+  {
+    Attachment         attachment = attach_nothing(q, node, body);
+    bool               spin = false, tilt = false;
+    std::istringstream in(held);
+    for (std::string word; in >> word;)
+      if (word == "spin")
+        spin = true;
+      else if (word == "tilt")
+        tilt = true;
+      else if (word == "radial")
+        attachment.radial = radial_direction(attachment, q, center);
+      else
+        attachment.held.set(word[0] - 'x');
+    if (spin)
+      attachment.held.set(4);
+    if (tilt)
+      attachment.held.set(5).set(8);
+    else if (!attachment.radial.isZero(0))
+      attachment.held.set(5);
+    if (spin && tilt)
+      attachment.held.set(6);
+    return attachment;
+  }
+
+
+
+  Eigen::Matrix<double, 6, 1>
+  idle_motion(const RigidBody               &body,
+              const std::vector<Attachment> &attachments,
+              const DofVector               &q,
+              const Vector3                 &center)
+  {
+    using Motion  = Eigen::Matrix<double, 6, 1>;
+    using Motions = Eigen::Matrix<double, 6, 6>;
+    Motions held  = Motions::Zero();
+    for (const Attachment &attachment : attachments)
+      for (unsigned int k = 0; k < 9; ++k)
+        if (attachment.held[k])
+          {
+            const Matrix3 &frame =
+              k < 3 ? attachment.center_frame : attachment.frame;
+            const Vector3 direction = frame.col(k % 3);
+            Vector3       lever = q.segment<3>(9 * attachment.node + k / 3 * 3);
+            if (k < 3)
+              lever -= center;
+            const double radius = q.segment<3>(9 * attachment.node + 3).norm();
+            Motion       slope;
+            slope << (k < 3 ? direction : Vector3(Vector3::Zero())),
+              lever.cross(direction) / radius;
+            held += slope * slope.transpose();
+          }
+    // Prescribed dofs do not move of themselves: they count as held.
+    const double scale = std::max(1., held.diagonal().maxCoeff());
+    for (unsigned int k = 0; k < 6; ++k)
+      if (body.prescribed[k])
+        {
+          held.row(k).setZero();
+          held.col(k).setZero();
+          held(k, k) = scale;
+        }
+    const Eigen::SelfAdjointEigenSolver<Motions> modes(held);
+    if (modes.eigenvalues()[0] > 1e-10 * scale)
+      return Motion::Zero();
+    return modes.eigenvectors().col(0);
   }
 } // namespace fiberloom

@@ -134,6 +134,7 @@ namespace fiberloom
       fiber.radius        = family.tows.fiber_radius;
       fiber.young_modulus = family.tows.young_modulus;
       fiber.poisson_ratio = family.tows.poisson_ratio;
+      fiber.density       = family.tows.density;
       for (unsigned int n = 0; n < n_nodes; ++n)
         fiber.centers.push_back(middle + half * (2. * n / (n_nodes - 1) - 1) *
                                            family.along);

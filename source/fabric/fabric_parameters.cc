@@ -4,36 +4,70 @@
 #include <fiberloom/base/exceptions.h>
 
 #include <fiberloom/fabric/fabric_parameters.h>
+#include <fiberloom/fabric/fiber_points.h>
 #include <fiberloom/fabric/fiber_set.h>
 #include <fiberloom/fabric/tow_packing.h>
 
-#include <deal.II/base/utilities.h>
-
-#include <set>
+#include <map>
 
 namespace fiberloom
 {
   namespace
   {
-    /** Every end exists and is held once. */
-    void
-    check_drive_ends(const Parameters &parameters, const std::size_t n_fibers)
+    /** Runs @p find , whose errors get the place of @p entry . */
+    template <class Find>
+    auto
+    found_at(const Parameters  &parameters,
+             const std::string &entry,
+             const Find        &find)
     {
-      std::set<std::string> held;
+      try
+        {
+          return find();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(parameters.where(entry) + ": " + error.what());
+        }
+    }
+
+    /** Every point that drives hold exists and is held once. */
+    void
+    check_drive_ends(const Parameters &parameters, const FiberSet &fibers)
+    {
+      std::map<std::pair<unsigned int, unsigned int>, std::string> holder;
       for (const DriveParameters &drive : parameters.drives)
-        for (const std::string &end :
-             dealii::Utilities::split_string_list(drive.ends, ','))
-          {
-            const std::string where =
-              parameters.where("Drive " + drive.name + "/Ends");
-            if (std::stoul(end) >= n_fibers)
-              throw InputError(where + ": there is no fiber for " + end +
-                               "; allowed: numbers from 0 to " +
-                               std::to_string(n_fibers - 1));
-            if (!held.insert(end).second)
-              throw InputError(where + ": " + end +
-                               " is held twice; allowed: once");
-          }
+        {
+          const std::string entry = "Drive " + drive.name + "/Ends";
+          for (const FiberPoint &point :
+               found_at(parameters, entry, [&drive, &fibers]() {
+                 return find_points(drive.ends, fibers);
+               }))
+            {
+              const auto [held, is_new] = holder.insert(
+                {{point.fiber, point.nearest_node()}, drive.name});
+              if (!is_new)
+                throw InputError(
+                  parameters.where(entry) + ": fiber " +
+                  std::to_string(point.fiber) + " " + point.name +
+                  (held->second == drive.name ?
+                     " is held twice" :
+                     " is held twice, by drive " + held->second + ", too") +
+                  "; allowed: once");
+            }
+        }
+    }
+
+    void
+    check_load_lists(const Parameters &parameters, const FiberSet &fibers)
+    {
+      const LoadParameters &load = parameters.load;
+      found_at(parameters, "Load/Loaded fibers", [&load, &fibers]() {
+        return find_fibers(load.loaded_fibers, fibers);
+      });
+      found_at(parameters, "Load/Probes", [&load, &fibers]() {
+        return find_points(load.probes, fibers);
+      });
     }
   } // namespace
 
@@ -46,6 +80,7 @@ namespace fiberloom
         tows->layers = default_layers(tows->fibers);
 
     const FiberSet fibers = build_fiber_set(parameters);
-    check_drive_ends(parameters, fibers.fibers.size());
+    check_drive_ends(parameters, fibers);
+    check_load_lists(parameters, fibers);
   }
 } // namespace fiberloom

@@ -202,6 +202,7 @@ namespace fiberloom
           value_of(fibers.young_modulus, "Young modulus", group, n_groups);
         fiber.poisson_ratio =
           value_of(fibers.poisson_ratio, "Poisson ratio", group, n_groups);
+        fiber.density = value_of(fibers.density, "Density", group, n_groups);
         return fiber;
       }
 

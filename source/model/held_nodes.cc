@@ -7,14 +7,70 @@
 
 namespace fiberloom
 {
+  Matrix3
+  cross_matrix(const Vector3 &v)
+  {
+    Matrix3 m;
+    m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
+    return m;
+  }
+
+
+
   namespace
   {
-    Matrix3
-    cross_matrix(const Vector3 &v)
+    using SectionVector = Eigen::Matrix<double, 6, 1>; // r g1, r g2
+    using SectionBasis  = Eigen::Matrix<double, 6, 6>;
+
+    /**
+     * The section vectors' change by that of their components, see
+     * Attachment; @p section is what they are now.
+     */
+    SectionBasis
+    section_basis(const Attachment    &attachment,
+                  const Matrix3       &rotation,
+                  const SectionVector &section)
     {
-      Matrix3 m;
-      m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
-      return m;
+      SectionBasis basis = SectionBasis::Zero();
+      if (attachment.radial.isZero(0))
+        {
+          basis.topLeftCorner<3, 3>() = basis.bottomRightCorner<3, 3>() =
+            rotation * attachment.frame;
+          return basis;
+        }
+
+      const Vector3 g1 = section.head<3>(), g2 = section.tail<3>();
+      Matrix3       frame;
+      frame.col(0) = rotation * attachment.radial;
+      frame.col(1) = g1.cross(g2).cross(frame.col(0)).normalized();
+      frame.col(2) = frame.col(0).cross(frame.col(1));
+
+      // The section's own coordinates of the radial direction.
+      Eigen::Matrix2d gram;
+      gram << g1.dot(g1), g1.dot(g2), g1.dot(g2), g2.dot(g2);
+      const Eigen::Vector2d turned =
+        gram.ldlt()
+          .solve(Eigen::Vector2d(g1.dot(frame.col(0)), g2.dot(frame.col(0))))
+          .normalized();
+      basis.topLeftCorner<3, 3>() = basis.bottomRightCorner<3, 3>() =
+        turned[0] * frame;
+      basis.topRightCorner<3, 3>()   = -turned[1] * frame;
+      basis.bottomLeftCorner<3, 3>() = turned[1] * frame;
+      return basis;
+    }
+
+    /** Tilts a section until its axis is across @p radial again. */
+    SectionVector
+    level(const SectionVector &section, const Vector3 &radial)
+    {
+      const Vector3 g1 = section.head<3>(), g2 = section.tail<3>();
+      const Vector3 axis = g1.cross(g2).normalized();
+      const auto    tilt =
+        Eigen::Quaterniond::FromTwoVectors(axis,
+                                           axis - radial * radial.dot(axis));
+      SectionVector leveled;
+      leveled << tilt * g1, tilt * g2;
+      return leveled;
     }
   } // namespace
 
@@ -27,21 +83,23 @@ namespace fiberloom
                  const NodeVector &dofs,
                  const NodeVector &local_change)
   {
-    const Matrix3 old_frame =
-      before.rotation.toRotationMatrix() * attachment.frame;
-    const Matrix3 new_frame =
-      after.rotation.toRotationMatrix() * attachment.frame;
+    const Matrix3 old_rotation = before.rotation.toRotationMatrix();
+    const Matrix3 new_rotation = after.rotation.toRotationMatrix();
+    const Matrix3 turn         = new_rotation * old_rotation.transpose();
+
+    SectionVector section = dofs.tail<6>();
+    section +=
+      section_basis(attachment, old_rotation, section) * local_change.tail<6>();
+    section.head<3>() = (turn * section.head<3>()).eval();
+    section.tail<3>() = (turn * section.tail<3>()).eval();
+    if (!attachment.radial.isZero(0))
+      section = level(section, new_rotation * attachment.radial);
+
     NodeVector moved;
-    for (unsigned int v = 0; v < 3; ++v)
-      {
-        const Vector3 from =
-          (v == 0) ? before.position : Vector3(Vector3::Zero());
-        const Vector3 to = (v == 0) ? after.position : Vector3(Vector3::Zero());
-        moved.segment<3>(3 * v) =
-          to +
-          new_frame * (old_frame.transpose() * (dofs.segment<3>(3 * v) - from) +
-                       local_change.segment<3>(3 * v));
-      }
+    moved.head<3>() =
+      after.position + turn * (dofs.head<3>() - before.position) +
+      new_rotation * attachment.center_frame * local_change.head<3>();
+    moved.tail<6>() = section;
     return moved;
   }
 
@@ -88,30 +146,46 @@ namespace fiberloom
       {
         if (held[a] == nullptr)
           continue;
-        const Placement &placement = placements[held[a]->body];
-        const Matrix3    frame =
-          placement.rotation.toRotationMatrix() * held[a]->frame;
-        const unsigned int body     = offset(body_position[a]);
-        const unsigned int rotation = body + 3;
+        const Placement   &placement = placements[held[a]->body];
+        const Matrix3      turned    = placement.rotation.toRotationMatrix();
+        const NodeVector   node      = q.segment<9>(9 * blocks[a]);
+        const unsigned int body      = offset(body_position[a]);
+        const unsigned int rotation  = body + 3;
+
+        Eigen::Matrix<double, 9, 9> basis = Eigen::Matrix<double, 9, 9>::Zero();
+        basis.topLeftCorner<3, 3>()       = turned * held[a]->center_frame;
+        basis.bottomRightCorner<6, 6>() =
+          section_basis(*held[a], turned, node.tail<6>());
+        map.block<9, 9>(9 * a, 9 * a) = basis;
+        map.block<3, 3>(9 * a, body).setIdentity();
+
         for (unsigned int v = 0; v < 3; ++v)
           {
             const unsigned int dof   = 9 * a + 3 * v;
-            Vector3            lever = q.segment<3>(9 * blocks[a] + 3 * v);
+            Vector3            lever = node.segment<3>(3 * v);
             if (v == 0)
-              {
-                lever -= placement.position;
-                map.block<3, 3>(dof, body).setIdentity();
-              }
-            map.block<3, 3>(dof, dof)      = frame;
+              lever -= placement.position;
             map.block<3, 3>(dof, rotation) = -cross_matrix(lever);
 
             const Vector3 f = forces.segment<3>(dof);
             geometric.block<3, 3>(rotation, rotation) +=
               .5 * (f * lever.transpose() + lever * f.transpose()) -
               f.dot(lever) * Matrix3::Identity();
-            const Matrix3 mixed = -cross_matrix(f) * frame;
-            geometric.block<3, 3>(rotation, dof) += mixed;
-            geometric.block<3, 3>(dof, rotation) += mixed.transpose();
+            const Eigen::Matrix<double, 3, 9> mixed =
+              -cross_matrix(f) * basis.middleRows<3>(3 * v);
+            geometric.block<3, 9>(rotation, 9 * a) += mixed;
+            geometric.block<9, 3>(9 * a, rotation) += mixed.transpose();
+          }
+        if (!held[a]->radial.isZero(0))
+          {
+            // Where the first vector has turned in the section and the second
+            // one is tilted, leveling lifts both.
+            const NodeVector f = forces.segment<9>(9 * a);
+            const NodeVector h = basis.transpose() * node;
+            const double     lift =
+              (basis.col(5).dot(f) + h[6] / h[3] * basis.col(8).dot(f)) / h[7];
+            geometric(9 * a + 4, 9 * a + 8) += lift;
+            geometric(9 * a + 8, 9 * a + 4) += lift;
           }
       }
     forces = map.transpose() * forces;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fiberloom
 {
@@ -76,6 +77,29 @@ namespace fiberloom
       }
     };
 
+    /** A dead force on the centre of a node. */
+    struct NodeGroup
+    {
+      static constexpr unsigned int n_nodes = 1;
+
+      std::array<unsigned int, n_nodes> nodes;
+      Vector3                           outer_force;
+
+      Eigen::Matrix<double, 9, 1>
+      force(const unsigned int) const
+      {
+        Eigen::Matrix<double, 9, 1> force = Eigen::Matrix<double, 9, 1>::Zero();
+        force.head<3>()                   = -outer_force;
+        return force;
+      }
+
+      Eigen::Matrix<double, 9, 9>
+      stiffness(const unsigned int, const unsigned int) const
+      {
+        return Eigen::Matrix<double, 9, 9>::Zero();
+      }
+    };
+
     double
     rotation_lever(const FiberMesh &mesh)
     {
@@ -119,6 +143,13 @@ namespace fiberloom
             fixed[numbering.first_dof(block) + k] = true;
         has_fixed[block] = supports.bodies[b].prescribed.any();
       }
+
+    const double size = mesh.reference().lpNorm<Eigen::Infinity>();
+    for (const auto &line : mesh.lines())
+      rounding = std::max(rounding,
+                          10 * std::numeric_limits<double>::epsilon() *
+                            line.young_modulus * M_PI * line.radius *
+                            line.radius * size * line.n_nodes() / line.length);
 
     owned_map = std::make_unique<Epetra_Map>(
       numbering.owned_dofs().make_trilinos_map(comm, false));
@@ -291,9 +322,9 @@ namespace fiberloom
 
   template <bool with_tangent>
   void
-  System::assemble_all(const State                   &state,
-                       const std::vector<BodyTarget> &targets,
-                       std::vector<ContactElement>   &contacts)
+  System::assemble_all(const State                 &state,
+                       const Targets               &targets,
+                       std::vector<ContactElement> &contacts)
   {
     std::fill(residual.begin(), residual.end(), 0.);
     if constexpr (with_tangent)
@@ -317,7 +348,7 @@ namespace fiberloom
         scale = std::max(scale, group.residual.lpNorm<Eigen::Infinity>());
         scatter<with_tangent>(state, group);
       }
-    force_scale = max(scale, numbering.communicator());
+    largest_force = max(scale, numbering.communicator());
 
     for (ContactElement &contact : contacts)
       {
@@ -335,6 +366,8 @@ namespace fiberloom
           scatter<with_tangent>(state, contact_group);
       }
 
+    add_node_forces<with_tangent>(state, targets);
+
     for (unsigned int b = 0; b < body_reactions.size(); ++b)
       {
         body_reactions[b].setZero();
@@ -350,32 +383,64 @@ namespace fiberloom
                     MPI_DOUBLE,
                     MPI_SUM,
                     numbering.communicator());
-    add_loads(targets);
+    add_body_loads<with_tangent>(targets);
   }
 
 
 
+  template <bool with_tangent>
   void
-  System::add_loads(const std::vector<BodyTarget> &targets)
+  System::add_node_forces(const State &state, const Targets &targets)
   {
-    for (unsigned int b = 0; b < targets.size(); ++b)
-      if (const int local = numbering.local_block(numbering.body_block(b));
-          local >= 0)
-        Eigen::Map<BodyVector>(residual.data() + numbering.local_first_dof(
-                                                   local)) -= targets[b].load;
+    for (unsigned int n = 0; n < targets.node_forces.size(); ++n)
+      {
+        const NodeGroup group{{{n}}, targets.node_forces[n]};
+        largest_force =
+          std::max(largest_force, group.outer_force.lpNorm<Eigen::Infinity>());
+        if (touches_owned(&n, 1))
+          scatter<with_tangent>(state, group);
+      }
+  }
+
+
+
+  template <bool with_tangent>
+  void
+  System::add_body_loads(const Targets &targets)
+  {
+    for (unsigned int b = 0; b < targets.bodies.size(); ++b)
+      {
+        const BodyVector &load = targets.bodies[b].load;
+        largest_force          = std::max(
+          {largest_force,
+                    load.head<3>().lpNorm<Eigen::Infinity>(),
+                    load.tail<3>().lpNorm<Eigen::Infinity>() / rotation_lever(mesh)});
+        const unsigned int block = numbering.body_block(b);
+        const int          local = numbering.local_block(block);
+        if (local < 0)
+          continue;
+        Eigen::Map<BodyVector>(residual.data() +
+                               numbering.local_first_dof(local)) -= load;
+        // A moment fixed in space has no potential: as rotation vectors start
+        // anew at each placement, the slope of the residual is unsymmetric.
+        if constexpr (with_tangent)
+          Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(
+            system_matrix.block(block, block))
+            .bottomRightCorner<3, 3>() -= .5 * cross_matrix(load.tail<3>());
+      }
   }
 
 
 
   std::vector<double>
-  System::prescribed_increments(const State                   &state,
-                                const std::vector<BodyTarget> &targets) const
+  System::prescribed_increments(const State   &state,
+                                const Targets &targets) const
   {
     std::vector<double> increments(numbering.n_dofs(), 0.);
-    for (unsigned int b = 0; b < targets.size(); ++b)
+    for (unsigned int b = 0; b < targets.bodies.size(); ++b)
       {
         const Placement        &now    = state.placements[b];
-        const Placement        &target = targets[b].placement;
+        const Placement        &target = targets.bodies[b].placement;
         const Eigen::AngleAxisd turn(target.rotation *
                                      now.rotation.conjugate());
         BodyVector              change;
@@ -391,8 +456,7 @@ namespace fiberloom
 
 
   bool
-  System::moves(const State                   &state,
-                const std::vector<BodyTarget> &targets) const
+  System::moves(const State &state, const Targets &targets) const
   {
     const double tolerance = 1e-9 * mesh.lines().front().radius;
     for (const double value : prescribed_increments(state, targets))
@@ -444,9 +508,9 @@ namespace fiberloom
 
 
   void
-  System::assemble(const State                   &state,
-                   const std::vector<BodyTarget> &targets,
-                   std::vector<ContactElement>   &contacts)
+  System::assemble(const State                 &state,
+                   const Targets               &targets,
+                   std::vector<ContactElement> &contacts)
   {
     assemble_all<true>(state, targets, contacts);
     for (unsigned int i = 0; i < rhs.size(); ++i)
@@ -458,9 +522,9 @@ namespace fiberloom
 
 
   void
-  System::assemble_residual(const State                   &state,
-                            const std::vector<BodyTarget> &targets,
-                            std::vector<ContactElement>   &contacts)
+  System::assemble_residual(const State                 &state,
+                            const Targets               &targets,
+                            std::vector<ContactElement> &contacts)
   {
     assemble_all<false>(state, targets, contacts);
   }
@@ -484,14 +548,50 @@ namespace fiberloom
 
 
   double
-  System::load_work(const std::vector<BodyTarget> &targets,
-                    const Eigen::VectorXd         &increment) const
+  System::stored_energy(const State                       &state,
+                        const std::vector<ContactElement> &contacts) const
+  {
+    double stored = energy(state, contacts);
+    for (const ContactElement &contact : contacts)
+      stored -= dissipated_energy(contact, section_pair(contact, state.q));
+    return stored;
+  }
+
+
+
+  double
+  System::load_work(const Targets &targets,
+                    const State   &before,
+                    const State   &after) const
   {
     double work = 0;
-    for (unsigned int b = 0; b < targets.size(); ++b)
-      work += targets[b].load.dot(
-        increment.segment<6>(numbering.first_dof(numbering.body_block(b))));
+    for (unsigned int b = 0; b < targets.bodies.size(); ++b)
+      {
+        const Placement &from = before.placements[b], &to = after.placements[b];
+        BodyVector       motion;
+        motion << to.position - from.position, to.turn - from.turn;
+        work += targets.bodies[b].load.dot(motion);
+      }
+    for (unsigned int n = 0; n < targets.node_forces.size(); ++n)
+      work += targets.node_forces[n].dot(after.q.segment<3>(9 * n) -
+                                         before.q.segment<3>(9 * n));
     return work;
+  }
+
+
+
+  bool
+  System::has_potential(const Targets &targets) const
+  {
+    for (unsigned int b = 0; b < targets.bodies.size(); ++b)
+      {
+        const auto        &prescribed = supports.bodies[b].prescribed;
+        const unsigned int n_axes =
+          !prescribed[3] + !prescribed[4] + !prescribed[5];
+        if (n_axes > 1 && !targets.bodies[b].load.tail<3>().isZero(0))
+          return false;
+      }
+    return true;
   }
 
 
@@ -519,9 +619,9 @@ namespace fiberloom
 
 
   double
-  System::internal_force_scale() const
+  System::force_scale() const
   {
-    return force_scale;
+    return largest_force;
   }
 
 
@@ -569,6 +669,7 @@ namespace fiberloom
           factor *
           increment.segment<6>(numbering.first_dof(numbering.body_block(b)));
         moved[b].position += change.head<3>();
+        moved[b].turn += change.tail<3>();
         const double angle = change.tail<3>().norm();
         if (angle > 0)
           moved[b].rotation =

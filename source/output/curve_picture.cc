@@ -111,6 +111,7 @@ namespace fiberloom
         {
           for (unsigned int c = 0; c < curve.columns().size(); ++c)
             if (ends_with(curve.columns()[c], unit) &&
+                curve.columns()[c].find("contact_force") == std::string::npos &&
                 has_values(curve.values(stage, c)))
               {
                 plot.names.push_back(curve.columns()[c]);

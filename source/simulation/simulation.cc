@@ -149,16 +149,17 @@ namespace fiberloom
     if (command_line.check)
       {
         initial_state();
-        for (const std::string &name : parameters.stages)
-          create_stage(name, {parameters, fibers, mesh});
+        const auto notes = stage_notes();
         print_check();
+        if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+          for (const std::string &note : notes)
+            std::cout << note << std::endl;
         return 0;
       }
 
     State state        = initial_state();
     state.scene_stages = parameters.stages;
-    for (const std::string &name : parameters.stages)
-      create_stage(name, {parameters, fibers, mesh});
+    const auto notes   = stage_notes();
 
     OutputWriter writer(
       parameters, fibers, mesh, model_size(), comm, output_seconds);
@@ -171,6 +172,8 @@ namespace fiberloom
     if (state.stage == parameters.stages.size())
       log.write("nothing is left to do: " + command_line.restart +
                 " has all stages of this scene behind it");
+    for (const std::string &note : notes)
+      log.write(note);
     log_what_is_left_out();
     const int status = run_stages(state, writer);
     log_timings(writer.stages());
@@ -201,9 +204,15 @@ namespace fiberloom
           {
             writer.begin_stage(name, state);
             StageRun run(
-              scene, *stage, name, generator, statistics, log, comm, [&stop]() {
-                return stop.requested();
-              });
+              scene,
+              *stage,
+              name,
+              generator,
+              statistics,
+              log,
+              comm,
+              [&stop]() { return stop.requested(); },
+              state);
             run.run(state, std::ref(writer));
           }
         catch (const StopRequested &)
@@ -239,6 +248,20 @@ namespace fiberloom
           }
       }
     return 0;
+  }
+
+
+
+  std::vector<std::string>
+  Simulation::stage_notes() const
+  {
+    std::vector<std::string> notes;
+    for (const std::string &name : parameters.stages)
+      for (const std::string &note :
+           create_stage(name, {parameters, fibers, mesh})->notes())
+        if (std::find(notes.begin(), notes.end(), note) == notes.end())
+          notes.push_back(note);
+    return notes;
   }
 
 

@@ -4,6 +4,8 @@
 #include <fiberloom/base/exceptions.h>
 #include <fiberloom/base/scoped_timer.h>
 
+#include <fiberloom/contact/contact_law.h>
+
 #include <fiberloom/simulation/stage_run.h>
 
 #include <boost/format.hpp>
@@ -17,6 +19,22 @@ namespace fiberloom
   {
     // An increment that took at most this many Newton iterations was cheap.
     constexpr unsigned int cheap_iterations = 25;
+
+    bool
+    is_begun(const State &state)
+    {
+      return state.increment > 0 || state.step > 0;
+    }
+
+    /** Of the increment that ends at @p q [N mm]. */
+    double
+    dissipation(const std::vector<ContactElement> &contacts, const DofVector &q)
+    {
+      double dissipation = 0;
+      for (const ContactElement &contact : contacts)
+        dissipation += dissipated_energy(contact, section_pair(contact, q));
+      return dissipation;
+    }
 
     std::vector<FrictionHistory>
     friction_history(const std::vector<ContactElement> &contacts,
@@ -42,7 +60,8 @@ namespace fiberloom
                      StageStatistics      &statistics,
                      Log                  &log,
                      const MPI_Comm        comm,
-                     std::function<bool()> stop_requested)
+                     std::function<bool()> stop_requested,
+                     const State          &state)
     : scene(scene)
     , stage(stage)
     , name(name)
@@ -50,7 +69,7 @@ namespace fiberloom
     , statistics(statistics)
     , log(log)
     , stop_requested(std::move(stop_requested))
-    , supports(stage.supports())
+    , supports(stage.supports(is_begun(state) ? state.stage_start_q : state.q))
     , system(scene.mesh, supports, comm)
     , equilibrium(scene.mesh,
                   scene.parameters,
@@ -71,12 +90,13 @@ namespace fiberloom
   {
     ScopedTimer timer(statistics.seconds.wall);
     load_at_start = state.load;
-    if (state.increment == 0 && state.step == 0)
+    if (!is_begun(state))
       {
         // Interrupted here, the stage has to begin anew: keep the state apart.
         State begun = state;
         stage.begin(begun, equilibrium);
         begun.stage_start_placements = begun.placements;
+        begun.stage_start_q          = state.q;
         begun.step                   = stage.first_step(begun);
         const bool arrived           = take_fast_path(begun);
         state                        = std::move(begun);
@@ -112,15 +132,17 @@ namespace fiberloom
     for (unsigned int cuts = 0;; ++cuts)
       {
         // A rest that would be tiny is taken along.
-        double load = state.load + state.step;
-        if (load > 1 - .01 * state.step)
-          load = 1;
+        const double stop = stage.next_stop(state.load);
+        double       load = state.load + state.step;
+        if (load > stop - .01 * state.step)
+          load = stop;
 
         const unsigned int         newton_before = statistics.newton_iterations;
         State                      found         = state;
         const Equilibrium::Problem problem{
           state,
-          stage.targets(state.stage_start_placements, load),
+          {stage.targets(state.stage_start_placements, load),
+           stage.node_forces(load)},
           stage.rule(load),
           stage.least_force_scale(load)};
         if (equilibrium.solve(found, problem))
@@ -154,11 +176,21 @@ namespace fiberloom
   void
   StageRun::accept(State &state, State &&found, const double load)
   {
+    // However many iterations it took: one rotation for the increment.
+    for (unsigned int b = 0; b < found.placements.size(); ++b)
+      {
+        const Placement &from = state.placements[b];
+        Placement       &to   = found.placements[b];
+        to.turn =
+          from.turn +
+          rotation_vector(from.rotation, to.rotation, to.turn - from.turn);
+      }
     state      = std::move(found);
     state.load = load;
     ++state.increment;
     state.contact.history =
       friction_history(equilibrium.contacts(), scene.mesh);
+    state.dissipation += dissipation(equilibrium.contacts(), state.q);
 
     ++statistics.increments;
     statistics.contact_elements = equilibrium.contacts().size();
@@ -176,14 +208,38 @@ namespace fiberloom
   {
     log.write(increment_line(state));
     shown = statistics;
+
+    CurveRow curve = stage.curve(state, system.reactions());
+    if (stage.shows_balance())
+      for (const auto &column : balance(state))
+        curve.push_back(column);
     observer({name,
               state,
               equilibrium.contacts(),
               supports,
               system.reactions(),
-              stage.curve(state, system.reactions()),
+              curve,
               statistics,
               state.load >= 1});
+  }
+
+
+
+  CurveRow
+  StageRun::balance(const State &state) const
+  {
+    double sum = 0, largest = 0;
+    for (const ContactElement &contact : equilibrium.contacts())
+      {
+        sum += contact.normal_force;
+        largest = std::max(largest, contact.normal_force);
+      }
+    return {{"contact_force_sum[N]", sum},
+            {"largest_contact_force[N]", largest},
+            {"elastic_energy[N.mm]",
+             system.stored_energy(state, equilibrium.contacts())},
+            {"dissipation[N.mm]", state.dissipation},
+            {"negative_pivots", double(equilibrium.negative_pivots())}};
   }
 
 

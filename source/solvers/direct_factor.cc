@@ -225,7 +225,9 @@ namespace fiberloom
     }
 
   private:
-    /** Calls @p visit(row dof, column dof, value) for the owned upper triangle.
+    /**
+     * Calls @p visit(row dof, column dof, value) for the owned upper triangle
+     * of the symmetric part; only within a diagonal block there can be another.
      */
     template <class Visit>
     static void
@@ -247,7 +249,11 @@ namespace fiberloom
               for (unsigned int i = 0; i < layout.size(block); ++i)
                 for (unsigned int j = columns[c] == block ? i : 0; j < width;
                      ++j)
-                  visit(row_dof + i, column_dof + j, entries[i * width + j]);
+                  visit(row_dof + i,
+                        column_dof + j,
+                        columns[c] == block ? .5 * (entries[i * width + j] +
+                                                    entries[j * width + i]) :
+                                              entries[i * width + j]);
             }
         }
     }

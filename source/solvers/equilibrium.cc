@@ -92,14 +92,17 @@ namespace fiberloom
   double
   Equilibrium::residual_scale(const Problem &problem) const
   {
+    // Where nothing is stressed, as after a rigid motion, only rounding is
+    // left.
     const double floor =
-      std::max(problem.least_scale,
-               1e-9 * system.stiffness_scale() * mesh.lines().front().radius);
+      std::max({problem.least_scale,
+                1e-9 * system.stiffness_scale() * mesh.lines().front().radius,
+                system.rounding_force() / tolerance()});
     double largest = 0;
     for (const ContactElement &contact : contact_elements)
       largest = std::max(largest, contact.normal_force);
     if (largest == 0)
-      largest = system.internal_force_scale();
+      largest = system.force_scale();
     return std::max(largest, floor);
   }
 
@@ -172,7 +175,6 @@ namespace fiberloom
                             const double           factor) const
   {
     const double before = system.energy(state, contact_elements);
-    const double work   = system.load_work(problem.targets, increment);
     double       tried  = factor;
     for (unsigned int i = 0; i < largest_halvings; ++i, tried /= 2)
       {
@@ -180,7 +182,8 @@ namespace fiberloom
         moved.q          = state.q;
         moved.placements = state.placements;
         system.advance(moved, increment, tried);
-        if (system.energy(moved, contact_elements) - tried * work <=
+        const double work = system.load_work(problem.targets, state, moved);
+        if (system.energy(moved, contact_elements) - work <=
             before + 1e-12 * std::abs(before))
           return tried;
       }
@@ -207,6 +210,8 @@ namespace fiberloom
     if (!(residual < diverged))
       return Step::failed;
 
+    // Without one, neither its curvature nor its decrease says anything.
+    const bool            has_potential = system.has_potential(problem.targets);
     std::vector<double>   solution;
     LinearSolver::Outcome outcome;
     {
@@ -215,11 +220,13 @@ namespace fiberloom
                                     system.right_hand_side(),
                                     damping * system.stiffness_scale(),
                                     shift_over_Er * system.stiffness_scale(),
-                                    solution);
+                                    solution,
+                                    !has_potential);
     }
     ++statistics.newton_iterations;
     statistics.linear_iterations += outcome.iterations;
     statistics.factorizations += outcome.factorizations;
+    last_negative_pivots = outcome.negative_pivots;
 
     const Eigen::VectorXd increment = system.gather(solution);
     const double          move      = system.largest_move(increment);
@@ -229,7 +236,7 @@ namespace fiberloom
     const double limit  = parameters.solver.largest_move;
     if (limit > 0 && !contact_elements.empty() && move > limit)
       factor = limit / move;
-    if (search_line && !moves)
+    if (search_line && !moves && has_potential)
       {
         ScopedTimer timer(statistics.seconds.assembly);
         factor = search_along(state, problem, increment, factor);

@@ -126,7 +126,8 @@ namespace fiberloom
                       const std::vector<double> &right_hand_side,
                       const double               damping,
                       const double               shift_unit,
-                      std::vector<double>       &solution)
+                      std::vector<double>       &solution,
+                      const bool                 may_be_indefinite)
   {
     Outcome outcome;
     outcome.shift = damping;
@@ -134,7 +135,10 @@ namespace fiberloom
     for (unsigned int attempt = 0;; ++attempt)
       {
         ++outcome.factorizations;
-        if (factor.factorize(matrix) == 0)
+        const int negative_pivots = factor.factorize(matrix);
+        if (attempt == 0)
+          outcome.negative_pivots = negative_pivots;
+        if (negative_pivots == 0 || (negative_pivots > 0 && may_be_indefinite))
           break;
         if (attempt == largest_shifts)
           throw StageFailure("the tangent stays indefinite for every shift");

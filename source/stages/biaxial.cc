@@ -19,7 +19,7 @@ namespace fiberloom
 
 
   Supports
-  Biaxial::supports() const
+  Biaxial::supports(const DofVector &) const
   {
     return TowEnds::supports(scene, false);
   }

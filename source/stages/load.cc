@@ -8,90 +8,19 @@
 
 #include <fiberloom/stages/load.h>
 
-#include <deal.II/base/function_parser.h>
-#include <deal.II/base/utilities.h>
+#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <sstream>
 
 namespace fiberloom
 {
-  /** Three components each of translation, rotation, force and moment. */
-  class DriveFunctions
-  {
-  public:
-    explicit DriveFunctions(const DriveParameters &drive)
-    {
-      const std::array<const std::string *, 4> texts{
-        {&drive.translation, &drive.rotation, &drive.force, &drive.moment}};
-      const std::map<std::string, double> constants{{"pi", M_PI}};
-      for (unsigned int k = 0; k < 4; ++k)
-        {
-          parsed[k] = std::make_unique<dealii::FunctionParser<1>>(3);
-          parsed[k]->initialize("t", *texts[k], constants);
-        }
-    }
-
-    Vector3
-    translation(const double t) const
-    {
-      return value(0, t);
-    }
-
-    Eigen::Quaterniond
-    rotation(const double t) const
-    {
-      const Vector3 vector = value(1, t);
-      const double  angle  = vector.norm();
-      return angle > 0 ?
-               Eigen::Quaterniond(Eigen::AngleAxisd(angle, vector / angle)) :
-               Eigen::Quaterniond::Identity();
-    }
-
-    BodyVector
-    load(const double t) const
-    {
-      BodyVector load;
-      load << value(2, t), value(3, t);
-      return load;
-    }
-
-  private:
-    Vector3
-    value(const unsigned int k, const double t) const
-    {
-      Vector3 v;
-      for (unsigned int c = 0; c < 3; ++c)
-        v[c] = parsed[k]->value(dealii::Point<1>(t), c);
-      return v;
-    }
-
-    std::array<std::unique_ptr<dealii::FunctionParser<1>>, 4> parsed;
-  };
-
-
-
   namespace
   {
-    std::vector<unsigned int>
-    find_nodes(const DriveParameters &drive, const FiberMesh &mesh)
-    {
-      std::vector<unsigned int> nodes;
-      for (const std::string &item :
-           dealii::Utilities::split_string_list(drive.ends, ','))
-        {
-          std::istringstream text(item);
-          unsigned int       fiber;
-          std::string        end;
-          if (!(text >> fiber >> end) || fiber >= mesh.lines().size())
-            throw InputError("Drive " + drive.name + "/Ends: \"" + item +
-                             "\" names no fiber end of this scene");
-          const auto &line = mesh.lines()[fiber];
-          nodes.push_back(line.first_node +
-                          (end == "start" ? 0 : line.n_nodes() - 1));
-        }
-      return nodes;
-    }
+    const std::array<std::string, 6> dof_names{
+      {"x", "y", "z", "rx", "ry", "rz"}};
 
     Hold
     find_hold(const std::string &name)
@@ -100,52 +29,170 @@ namespace fiberloom
              name == "pinned"  ? Hold::pinned :
                                  Hold::center;
     }
+
+    Eigen::Quaterniond
+    rotation_by(const Vector3 &vector)
+    {
+      const double angle = vector.norm();
+      return angle > 0 ?
+               Eigen::Quaterniond(Eigen::AngleAxisd(angle, vector / angle)) :
+               Eigen::Quaterniond::Identity();
+    }
+
+    std::bitset<6>
+    prescribed_dofs(const DriveParameters &drive)
+    {
+      std::bitset<6>     prescribed = std::bitset<6>().set();
+      std::istringstream text(drive.free);
+      for (std::string word; text >> word;)
+        prescribed.reset(std::find(dof_names.begin(), dof_names.end(), word) -
+                         dof_names.begin());
+      return prescribed;
+    }
+
+    /** A unit vector along @p function where it is longest, or 0. */
+    Vector3
+    main_direction(const VectorFunction &function, const double end)
+    {
+      const Vector3 largest = function.value(function.time_of_largest(end));
+      return largest.norm() > 0 ? largest.normalized() : Vector3::Zero();
+    }
+
+    /** "0_at_0.5", for the name of a column. */
+    std::string
+    column_name(const FiberPoint &point)
+    {
+      std::string name = std::to_string(point.fiber) + "_" + point.name;
+      std::replace(name.begin(), name.end(), ' ', '_');
+      return name;
+    }
+
+    void
+    add_vector(CurveRow          &row,
+               const std::string &name,
+               const std::string &unit,
+               const Vector3     &value)
+    {
+      for (unsigned int c = 0; c < 3; ++c)
+        row.emplace_back(name + dof_names[c] + unit, value[c]);
+    }
   } // namespace
+
+
+
+  Load::Drive::Drive(const DriveParameters &parameters)
+    : parameters(parameters)
+    , translation(parameters.translation)
+    , rotation(parameters.rotation)
+    , force(parameters.force)
+    , moment(parameters.moment)
+  {
+    if (!parameters.center.empty())
+      {
+        std::istringstream text(parameters.center);
+        center.emplace();
+        text >> center->x() >> center->y() >> center->z();
+      }
+  }
+
+
+
+  std::string
+  Load::Drive::entry(const std::string &name) const
+  {
+    return "Drive " + parameters.name + "/" + name;
+  }
 
 
 
   Load::Load(const Scene &scene)
     : Stage(scene)
+    , line_load(scene.parameters.load.line_load)
+    , gravity(scene.parameters.load.gravity)
+    , step(scene.parameters.load.largest_step)
   {
-    std::vector<unsigned int> all;
-    for (const DriveParameters &drive : scene.parameters.drives)
+    const double end = scene.parameters.load.end;
+    for (const DriveParameters &parameters : scene.parameters.drives)
       {
-        held_nodes.push_back(find_nodes(drive, scene.mesh));
-        functions.push_back(std::make_unique<DriveFunctions>(drive));
-        all.insert(all.end(),
-                   held_nodes.back().begin(),
-                   held_nodes.back().end());
+        drives.emplace_back(parameters);
+        Drive &drive = drives.back();
+        find_nodes(drive);
+        drive.direction = main_direction(drive.translation, end);
+        if (drive.direction.isZero(0))
+          drive.direction = main_direction(drive.force, end);
+        step =
+          drive.rotation.step_within(LoadParameters::largest_turn, step, end);
       }
-    std::sort(all.begin(), all.end());
-    if (std::adjacent_find(all.begin(), all.end()) != all.end())
-      throw InputError("Drives: a fiber end is held by two drives");
+    probes = find_points(scene.parameters.load.probes, scene.fibers);
+    for (unsigned int d = 0; d < drives.size(); ++d)
+      check_support(d);
+    distribute_loads();
   }
 
 
 
-  Load::~Load() = default;
+  void
+  Load::find_nodes(Drive &drive)
+  {
+    for (const FiberPoint &point :
+         find_points(drive.parameters.ends, scene.fibers))
+      {
+        const auto &line = scene.mesh.lines()[point.fiber];
+        drive.nodes.push_back(line.first_node + point.nearest_node());
+        if (!point.is_node())
+          snapped_points.push_back(
+            "drive " + drive.parameters.name + ": fiber " +
+            std::to_string(point.fiber) + " " + point.name +
+            " is no node; the nearest one is held, " +
+            std::to_string(point.nearest_node()) + " of 0 to " +
+            std::to_string(line.n_nodes() - 1));
+      }
+  }
+
+
+
+  Vector3
+  Load::reference_point(const Drive &drive, const DofVector &q) const
+  {
+    if (drive.center)
+      return *drive.center;
+    Vector3 sum = Vector3::Zero();
+    for (const unsigned int node : drive.nodes)
+      sum += q.segment<3>(9 * node);
+    return sum / drive.nodes.size();
+  }
+
+
+
+  std::vector<Attachment>
+  Load::attachments(const unsigned int d, const DofVector &start) const
+  {
+    const Drive            &drive = drives[d];
+    std::vector<Attachment> attachments;
+    for (const unsigned int node : drive.nodes)
+      attachments.push_back(
+        drive.parameters.held.empty() ?
+          attach(start, node, d, find_hold(drive.parameters.hold)) :
+          attach(start,
+                 node,
+                 d,
+                 drive.parameters.held,
+                 reference_point(drive, start)));
+    return attachments;
+  }
 
 
 
   Supports
-  Load::supports() const
+  Load::supports(const DofVector &start) const
   {
-    static const std::vector<std::string> names{
-      "x", "y", "z", "rx", "ry", "rz"};
     Supports supports;
-    for (unsigned int d = 0; d < held_nodes.size(); ++d)
+    for (unsigned int d = 0; d < drives.size(); ++d)
       {
-        const DriveParameters &drive = scene.parameters.drives[d];
-        RigidBody              body;
-        body.name = drive.name;
-        std::istringstream text(drive.free);
-        for (std::string word; text >> word;)
-          body.prescribed[std::find(names.begin(), names.end(), word) -
-                          names.begin()] = false;
-        for (const unsigned int node : held_nodes[d])
-          supports.attachments.push_back(
-            attach(scene.mesh.initial(), node, d, find_hold(drive.hold)));
-        supports.bodies.push_back(body);
+        supports.bodies.push_back(
+          {drives[d].parameters.name, prescribed_dofs(drives[d].parameters)});
+        for (const Attachment &attachment : attachments(d, start))
+          supports.attachments.push_back(attachment);
       }
     return supports;
   }
@@ -153,16 +200,85 @@ namespace fiberloom
 
 
   void
+  Load::check_support(const unsigned int d) const
+  {
+    const DofVector        &q     = scene.mesh.initial();
+    const Drive            &drive = drives[d];
+    std::vector<Attachment> held;
+    try
+      {
+        held = attachments(d, q);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(scene.parameters.where(drive.entry("Held")) + ": " +
+                         error.what() + "; allowed: another Center, or tilt");
+      }
+    const BodyVector idle =
+      idle_motion({drive.parameters.name, prescribed_dofs(drive.parameters)},
+                  held,
+                  q,
+                  reference_point(drive, q));
+    if (idle.isZero(0))
+      return;
+    BodyVector::Index dof;
+    idle.cwiseAbs().maxCoeff(&dof);
+    throw InputError(scene.parameters.where(drive.entry("Free")) +
+                     ": nothing that the drive holds hinders its motion "
+                     "along " +
+                     dof_names[dof] + "; allowed: leave " + dof_names[dof] +
+                     " out, or hold more");
+  }
+
+
+
+  void
+  Load::distribute_loads()
+  {
+    const double end = scene.parameters.load.end;
+    is_loaded        = !main_direction(line_load, end).isZero(0) ||
+                !main_direction(gravity, end).isZero(0);
+    if (!is_loaded)
+      return;
+
+    length_of_node.assign(scene.mesh.n_nodes(), 0.);
+    mass_of_node.assign(scene.mesh.n_nodes(), 0.);
+    const dealii::QGauss<1> rule(3);
+    for (const unsigned int fiber :
+         find_fibers(scene.parameters.load.loaded_fibers, scene.fibers))
+      {
+        const auto  &line = scene.mesh.lines()[fiber];
+        const double mass_per_length =
+          scene.fibers.fibers[fiber].density * M_PI * line.radius * line.radius;
+        for (unsigned int e = 0; e < line.n_elements; ++e)
+          for (unsigned int g = 0; g < rule.size(); ++g)
+            {
+              const ElementPoint point{line.first_element + e,
+                                       2 * rule.point(g)[0] - 1};
+              const auto         N = shape_values(point.xi);
+              const double       length =
+                rule.weight(g) *
+                scene.mesh.section(scene.mesh.reference(), point)
+                  .center_derivative.norm();
+              for (unsigned int a = 0; a < 3; ++a)
+                {
+                  const unsigned int node =
+                    scene.mesh.first_node(point.element) + a;
+                  length_of_node[node] += N[a] * length;
+                  mass_of_node[node] += N[a] * length * mass_per_length;
+                }
+            }
+      }
+  }
+
+
+
+  void
   Load::begin(State &state, Equilibrium &) const
   {
-    state.placements.assign(held_nodes.size(), Placement());
-    for (unsigned int d = 0; d < held_nodes.size(); ++d)
-      {
-        Vector3 mean = Vector3::Zero();
-        for (const unsigned int node : held_nodes[d])
-          mean += state.q.segment<3>(9 * node);
-        state.placements[d].position = mean / held_nodes[d].size();
-      }
+    state.placements.assign(drives.size(), Placement());
+    for (unsigned int d = 0; d < drives.size(); ++d)
+      state.placements[d].position = reference_point(drives[d], state.q);
   }
 
 
@@ -170,16 +286,35 @@ namespace fiberloom
   std::vector<BodyTarget>
   Load::targets(const std::vector<Placement> &start, const double load) const
   {
+    const double            t = load * scene.parameters.load.end;
     std::vector<BodyTarget> targets(start.size());
     for (unsigned int d = 0; d < start.size(); ++d)
       {
-        targets[d].placement = start[d];
-        targets[d].placement.position += functions[d]->translation(load);
-        targets[d].placement.rotation =
-          functions[d]->rotation(load) * start[d].rotation;
-        targets[d].load = functions[d]->load(load);
+        const Drive &drive  = drives[d];
+        Placement   &target = targets[d].placement;
+        target.position     = start[d].position + drive.translation.value(t);
+        target.rotation =
+          rotation_by(drive.rotation.value(t)) * start[d].rotation;
+        targets[d].load << drive.force.value(t), drive.moment.value(t);
       }
     return targets;
+  }
+
+
+
+  std::vector<Vector3>
+  Load::node_forces(const double load) const
+  {
+    if (!is_loaded)
+      return {};
+    const double         t          = load * scene.parameters.load.end;
+    const Vector3        per_length = line_load.value(t);
+    const Vector3        per_mass   = gravity.value(t);
+    std::vector<Vector3> forces;
+    for (unsigned int n = 0; n < length_of_node.size(); ++n)
+      forces.push_back(length_of_node[n] * per_length +
+                       mass_of_node[n] * per_mass);
+    return forces;
   }
 
 
@@ -197,8 +332,8 @@ namespace fiberloom
   double
   Load::first_step(const State &) const
   {
-    return std::min(scene.parameters.load.first_step,
-                    scene.parameters.load.largest_step);
+    return std::min(scene.parameters.load.first_step, step) /
+           scene.parameters.load.end;
   }
 
 
@@ -206,7 +341,16 @@ namespace fiberloom
   double
   Load::largest_step() const
   {
-    return scene.parameters.load.largest_step;
+    return step / scene.parameters.load.end;
+  }
+
+
+
+  double
+  Load::next_stop(const double load) const
+  {
+    const double end = scene.parameters.load.end;
+    return std::min(1., (std::floor(load * end + 1e-9) + 1) / end);
   }
 
 
@@ -215,20 +359,27 @@ namespace fiberloom
   Load::curve(const State                   &state,
               const std::vector<BodyVector> &reactions) const
   {
-    static const std::array<std::string, 3> axes{{"x", "y", "z"}};
-    CurveRow                                row;
-    for (unsigned int d = 0; d < held_nodes.size(); ++d)
+    CurveRow row{{"t", state.load * scene.parameters.load.end}};
+    for (unsigned int d = 0; d < drives.size(); ++d)
       {
-        const std::string &name = scene.parameters.drives[d].name;
-        for (unsigned int c = 0; c < 3; ++c)
-          row.emplace_back(name + "_" + axes[c] + "[mm]",
-                           state.placements[d].position[c]);
-        for (unsigned int c = 0; c < 3; ++c)
-          row.emplace_back(name + "_force_" + axes[c] + "[N]", reactions[d][c]);
-        for (unsigned int c = 0; c < 3; ++c)
-          row.emplace_back(name + "_moment_" + axes[c] + "[N.mm]",
-                           reactions[d][3 + c]);
+        const std::string name  = drives[d].parameters.name + "_";
+        const Vector3     force = reactions[d].head<3>();
+        add_vector(row, name, "[mm]", state.placements[d].position);
+        add_vector(row, name + "r", "[rad]", state.placements[d].turn);
+        add_vector(row, name + "force_", "[N]", force);
+        add_vector(row, name + "moment_", "[N.mm]", reactions[d].tail<3>());
+        if (!drives[d].direction.isZero(0))
+          row.emplace_back("force_" + drives[d].parameters.name + "[N]",
+                           force.dot(drives[d].direction));
       }
+    for (const FiberPoint &probe : probes)
+      add_vector(row,
+                 "probe_" + column_name(probe) + "_",
+                 "[mm]",
+                 scene.mesh
+                   .section(state.q,
+                            scene.mesh.locate(probe.fiber, probe.position / 2))
+                   .center);
     return row;
   }
 } // namespace fiberloom

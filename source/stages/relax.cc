@@ -10,7 +10,7 @@
 namespace fiberloom
 {
   Supports
-  Relax::supports() const
+  Relax::supports(const DofVector &) const
   {
     return TowEnds::supports(scene, true);
   }

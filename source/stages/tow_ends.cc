@@ -83,7 +83,9 @@ namespace fiberloom
     place(const Scene &scene, State &state)
     {
       const auto &tows = scene.fibers.tows;
-      if (state.placements.size() == 2 * tows.size() + 1)
+      const bool  after_load =
+        !state.stages_done.empty() && state.stages_done.back() == "load";
+      if (state.placements.size() == 2 * tows.size() + 1 && !after_load)
         return;
       state.placements.assign(2 * tows.size() + 1, Placement());
       for (unsigned int t = 0; t < tows.size(); ++t)

@@ -34,7 +34,7 @@ namespace fiberloom
 
 
   Supports
-  Weave::supports() const
+  Weave::supports(const DofVector &) const
   {
     return TowEnds::supports(scene, true);
   }

@@ -4,6 +4,7 @@
 #ifndef fiberloom_base_parameters_h
 #define fiberloom_base_parameters_h
 
+#include <cmath>
 #include <iosfwd>
 #include <map>
 #include <string>
@@ -30,6 +31,7 @@ namespace fiberloom
     double overhang = 0; // [mm], automatic: half a spacing of the crossing tows
     double young_modulus            = 73000; // [MPa]
     double poisson_ratio            = 0.22;
+    double density                  = 0; // [t/mm^3]
     unsigned int elements_per_fiber = 0; // automatic
   };
 
@@ -76,6 +78,7 @@ namespace fiberloom
     std::vector<double> radius             = {0.01};      // [mm]
     std::vector<double> young_modulus      = {73000};     // [MPa]
     std::vector<double> poisson_ratio      = {0.22};
+    std::vector<double> density            = {0}; // [t/mm^3]
     unsigned int        elements_per_fiber = 8;
 
     /** The entries that say where fibers come from, of those given. */
@@ -84,16 +87,19 @@ namespace fiberloom
   };
 
   /**
-   * A rigid body that holds fiber ends, and what moves or loads it. Functions
-   * depend on the load parameter t in [0, 1] of stage "load".
+   * A rigid body that holds points of fibers, and what moves or loads it.
+   * Functions depend on t, which runs from 0 to LoadParameters::end in stage
+   * "load".
    */
   struct DriveParameters
   {
     std::string name;
-    std::string ends;             // "0 start, 0 end, 3 start"
+    std::string ends;             // "0 start, all end, 3 at 0.5"
     std::string hold = "clamped"; // clamped | pinned | centers
+    std::string held; // "x y z spin tilt": instead of hold, in detail
     std::string
       free; // degrees of freedom of the body left free: "x y z rx ry rz"
+    std::string center; // "x y z" of the reference point [mm], else the mean
     std::string translation = "0; 0; 0"; // [mm] functions of t
     std::string rotation = "0; 0; 0"; // [rad] rotation vector, functions of t
     std::string force    = "0; 0; 0"; // [N] on free degrees of freedom
@@ -129,10 +135,20 @@ namespace fiberloom
     double      largest_step      = 0.2; // of the largest strain
   };
 
+  /** Stage "load", in which t runs from 0 to @p end . */
   struct LoadParameters
   {
-    double first_step   = 1.0; // of the whole load
-    double largest_step = 1.0; // of the whole load
+    double      end           = 1;
+    double      first_step    = 1;         // of t
+    double      largest_step  = 1;         // of t
+    std::string line_load     = "0; 0; 0"; // [N/mm] functions of t
+    std::string gravity       = "0; 0; 0"; // [mm/s^2] functions of t
+    std::string loaded_fibers = "all";
+    std::string probes; // points whose positions get columns
+
+    /** That an increment may turn a drive by, so that turns are counted [rad].
+     */
+    static constexpr double largest_turn = M_PI / 12;
   };
 
   struct SolverParameters

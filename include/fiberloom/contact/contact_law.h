@@ -85,6 +85,10 @@ namespace fiberloom
   double
   contact_energy(const ContactElement &contact, const SectionPair &x);
 
+  /** The part of it that is lost, as the reversible slip is exceeded. */
+  double
+  dissipated_energy(const ContactElement &contact, const SectionPair &x);
+
   /**
    * Gradient and, if @p tangent is given, Hessian of the energy; stores gap,
    * forces, slip and status in @p contact . Returns false, with nothing else

@@ -6,6 +6,9 @@
 
 #include <fiberloom/coupling/rigid_body.h>
 
+#include <string>
+#include <vector>
+
 namespace fiberloom
 {
   /** How a body holds a node of a fiber. */
@@ -28,6 +31,31 @@ namespace fiberloom
          const unsigned int node,
          const unsigned int body,
          const Hold         hold);
+
+  /**
+   * The same for what is held one by one, words of "x y z spin tilt radial":
+   * the centre along the axes of the sample, the spin about the fiber's axis,
+   * the direction of that axis, or only its tilt away from @p center . Throws
+   * InputError where the node has no radial direction.
+   */
+  Attachment
+  attach(const DofVector   &q,
+         const unsigned int node,
+         const unsigned int body,
+         const std::string &held,
+         const Vector3     &center);
+
+  /**
+   * A motion of a body, translation and rotation, that leaves all it holds
+   * where it is although none of its prescribed dofs moves; zero if there is
+   * none. @p attachments are those of the body, @p center is its reference
+   * point.
+   */
+  Eigen::Matrix<double, 6, 1>
+  idle_motion(const RigidBody               &body,
+              const std::vector<Attachment> &attachments,
+              const DofVector               &q,
+              const Vector3                 &center);
 } // namespace fiberloom
 
 #endif

@@ -20,6 +20,8 @@ namespace fiberloom
   {
     Vector3 position = Vector3::Zero(); // of its reference point [mm]
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+    Vector3 turn = Vector3::Zero(); // rotation vectors, summed up on the way
+                                    // so that turns are counted [rad]
 
     template <class Archive>
     void
@@ -29,22 +31,41 @@ namespace fiberloom
         ar &position[i];
       for (unsigned int i = 0; i < 4; ++i)
         ar &rotation.coeffs()[i];
+      for (unsigned int i = 0; i < 3; ++i)
+        ar &turn[i];
     }
   };
 
   /**
-   * A node held by a rigid body. The node's nine dofs (x0 - position, r g1,
-   * r g2), as components along the columns of @p frame carried by the body,
-   * are fixed where @p held is set and unknowns of the node elsewhere. So a
-   * clamped end holds the directions of the section vectors but not their
-   * lengths, and a centre can be held while its section is free.
+   * The vector of the rotation from @p before to @p after that counts as many
+   * whole turns as @p guess , which may have come about in many small steps.
+   */
+  Vector3
+  rotation_vector(const Eigen::Quaterniond &before,
+                  const Eigen::Quaterniond &after,
+                  const Vector3            &guess);
+
+  /**
+   * A node held by a rigid body. The node's nine dofs, x0 - position as
+   * components along the columns of @p center_frame , r g1 and r g2 along those
+   * of @p frame , both carried by the body, are fixed where @p held is set and
+   * unknowns of the node elsewhere. So a clamped end holds the directions of
+   * the section vectors but not their lengths, and a centre can be held while
+   * its section is free.
+   *
+   * If @p radial is set, the fiber's axis may not tilt towards it although the
+   * section can spin: in place of r g1 and r g2 stand the same vectors turned
+   * in the section until the first of them lies along @p radial , their
+   * components being along it, across it in the section, and along the axis.
    */
   struct Attachment
   {
     unsigned int   node;
     unsigned int   body;
     std::bitset<9> held;
-    Matrix3        frame = Matrix3::Identity(); // in the body's axes
+    Matrix3        frame        = Matrix3::Identity(); // in the body's axes
+    Matrix3        center_frame = Matrix3::Identity(); // the same
+    Vector3        radial       = Vector3::Zero();     // the same, or 0: none
   };
 
   /**
@@ -64,6 +85,19 @@ namespace fiberloom
     Placement                   placement; // for prescribed dofs
     Eigen::Matrix<double, 6, 1> load =
       Eigen::Matrix<double, 6, 1>::Zero(); // [N], [N mm]
+  };
+
+  /** What an increment leads to. */
+  struct Targets
+  {
+    std::vector<BodyTarget> bodies;
+    std::vector<Vector3>    node_forces; // dead, on x0 [N]; empty: none
+
+    Targets(std::vector<BodyTarget> bodies      = {},
+            std::vector<Vector3>    node_forces = {})
+      : bodies(std::move(bodies))
+      , node_forces(std::move(node_forces))
+    {}
   };
 
   /** The rigid bodies of a stage and the nodes they hold, at most one body a

@@ -40,6 +40,7 @@ namespace fiberloom
     std::vector<Vector3> directions_2;
 
     std::optional<FiberPlacement> initial = {}; // if it starts under stress
+    double                        density = 0;  // [t/mm^3]
 
     unsigned int
     n_elements() const

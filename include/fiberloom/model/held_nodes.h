@@ -14,6 +14,10 @@ namespace fiberloom
 {
   using NodeVector = Eigen::Matrix<double, 9, 1>;
 
+  /** cross_matrix(v) w = v x w. */
+  Matrix3
+  cross_matrix(const Vector3 &v);
+
   /**
    * The dofs of a held node after its body went from @p before to @p after and
    * its components along the attachment's frame changed by @p local_change .

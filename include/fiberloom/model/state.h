@@ -27,12 +27,14 @@ namespace fiberloom
     DofVector              q;          // fiber dofs, see FiberMesh
     std::vector<Placement> placements; // of the rigid bodies of the stage
     std::vector<Placement> stage_start_placements;
+    DofVector              stage_start_q;
     ContactState           contact;
 
     unsigned int stage     = 0; // index into the stages of the scene
     unsigned int increment = 0; // accepted in the stage
     double       load      = 0; // of the stage, from 0 to 1
     double step = 0; // of the load, to be tried next; 0: the stage's first step
+    double dissipation = 0; // by friction, so far [N mm]
     std::vector<std::string> stages_done;
     std::vector<std::string> scene_stages; // of the run that wrote it
 
@@ -56,13 +58,17 @@ namespace fiberloom
     void
     serialize(Archive &ar, const unsigned int)
     {
-      auto n = q.size();
-      ar  &n;
-      q.resize(n);
-      for (auto &value : q)
-        ar &value;
-      ar &placements &stage_start_placements        &contact;
-      ar &stage &increment &load &step &stages_done &scene_stages;
+      for (DofVector *dofs : {&q, &stage_start_q})
+        {
+          auto n = dofs->size();
+          ar  &n;
+          dofs->resize(n);
+          for (auto &value : *dofs)
+            ar &value;
+        }
+      ar &placements &stage_start_placements &contact;
+      ar &stage &increment &load &step       &dissipation;
+      ar &stages_done                        &scene_stages;
     }
   };
 } // namespace fiberloom

@@ -37,47 +37,68 @@ namespace fiberloom
     reinit(const std::vector<ContactElement> &contacts);
 
     /**
-     * Residual and tangent at @p state . Prescribed dofs of the bodies have
+     * Residual and tangent at @p state under the loads of @p targets , whose
+     * dead forces on nodes count among what bodies have to balance.
+     * Prescribed dofs of the bodies have
      * the increment that leads to @p targets , which enters the right hand
      * side through the tangent. Stores forces in @p contacts .
      */
     void
-    assemble(const State                   &state,
-             const std::vector<BodyTarget> &targets,
-             std::vector<ContactElement>   &contacts);
+    assemble(const State                 &state,
+             const Targets               &targets,
+             std::vector<ContactElement> &contacts);
 
     /** Residual alone. */
     void
-    assemble_residual(const State                   &state,
-                      const std::vector<BodyTarget> &targets,
-                      std::vector<ContactElement>   &contacts);
+    assemble_residual(const State                 &state,
+                      const Targets               &targets,
+                      std::vector<ContactElement> &contacts);
 
-    /** Of fibers and contacts [N mm], summed over the ranks. */
+    /** Potential of fibers and contacts [N mm], summed over the ranks. */
     double
     energy(const State                       &state,
            const std::vector<ContactElement> &contacts) const;
 
+    /** The part of it that can be regained: without what friction loses. */
+    double
+    stored_energy(const State                       &state,
+                  const std::vector<ContactElement> &contacts) const;
+
     /**
-     * Work of the dead loads over @p increment [N mm]; that of a moment, which
-     * has no potential, to first order.
+     * Work of the dead loads from @p before to @p after [N mm]; that of a
+     * moment, which has no potential, to first order.
      */
     double
-    load_work(const std::vector<BodyTarget> &targets,
-              const Eigen::VectorXd         &increment) const;
+    load_work(const Targets &targets,
+              const State   &before,
+              const State   &after) const;
+
+    /** Whether the loads have a potential: moments on bodies that can turn
+     * about more than one axis have none. */
+    bool
+    has_potential(const Targets &targets) const;
 
     /** Largest unbalanced force over the free dofs [N]. */
     double
     residual_norm() const;
 
-    /** Largest force inside a fiber element, a scale for the residual [N]. */
+    /** Largest force inside a fiber element or from outside, a scale for the
+     * residual [N]. */
     double
-    internal_force_scale() const;
+    force_scale() const;
 
     /** What each body has to exert on the fibers [N], [N mm]. */
     const std::vector<BodyVector> &
     reactions() const
     {
       return body_reactions;
+    }
+
+    /** What rounding of the positions makes of the forces in an element [N]. */
+    double
+    rounding_force() const
+    {
+      return rounding;
     }
 
     BlockMatrix &
@@ -95,7 +116,7 @@ namespace fiberloom
 
     /** Whether some prescribed dof is not where its target is. */
     bool
-    moves(const State &state, const std::vector<BodyTarget> &targets) const;
+    moves(const State &state, const Targets &targets) const;
 
     /**
      * The whole increment from the solution of the linear system (owned part)
@@ -131,9 +152,9 @@ namespace fiberloom
   private:
     template <bool with_tangent>
     void
-    assemble_all(const State                   &state,
-                 const std::vector<BodyTarget> &targets,
-                 std::vector<ContactElement>   &contacts);
+    assemble_all(const State                 &state,
+                 const Targets               &targets,
+                 std::vector<ContactElement> &contacts);
 
     template <bool with_tangent, class Group>
     void
@@ -143,14 +164,18 @@ namespace fiberloom
     touches_owned(const unsigned int *nodes, const unsigned int n) const;
 
     std::vector<double>
-    prescribed_increments(const State                   &state,
-                          const std::vector<BodyTarget> &targets) const;
+    prescribed_increments(const State &state, const Targets &targets) const;
 
     void
     eliminate_fixed(const std::vector<double> &increments);
 
+    template <bool with_tangent>
     void
-    add_loads(const std::vector<BodyTarget> &targets);
+    add_node_forces(const State &state, const Targets &targets);
+
+    template <bool with_tangent>
+    void
+    add_body_loads(const Targets &targets);
 
     const FiberMesh &mesh;
     const Supports  &supports;
@@ -166,7 +191,8 @@ namespace fiberloom
     std::vector<double>     residual; // owned dofs
     std::vector<double>     rhs;
     std::vector<BodyVector> body_reactions;
-    double                  force_scale = 0;
+    double                  rounding      = 0;
+    double                  largest_force = 0;
     std::vector<double>     pending; // prescribed increments, by dof of bodies
     std::unique_ptr<Epetra_Map>    owned_map, everything;
     std::unique_ptr<Epetra_Import> importer;

@@ -66,6 +66,10 @@ namespace fiberloom
     int
     run_stages(State &state, OutputWriter &writer);
 
+    /** Creates each stage, whose checks of the input come with it. */
+    std::vector<std::string>
+    stage_notes() const;
+
     void
     log_what_is_left_out();
 

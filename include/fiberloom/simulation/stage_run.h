@@ -22,7 +22,10 @@ namespace fiberloom
   class StageRun
   {
   public:
-    /** @p stop_requested is asked before each Newton iteration. */
+    /**
+     * @p stop_requested is asked before each Newton iteration; @p state is
+     * where the run will begin or go on.
+     */
     StageRun(const Scene          &scene,
              const Stage          &stage,
              const std::string    &name,
@@ -30,7 +33,8 @@ namespace fiberloom
              StageStatistics      &statistics,
              Log                  &log,
              const MPI_Comm        comm,
-             std::function<bool()> stop_requested);
+             std::function<bool()> stop_requested,
+             const State          &state);
 
     /**
      * @p observer sees each accepted state. Throws StageFailure when even the
@@ -52,6 +56,9 @@ namespace fiberloom
 
     void
     show(const State &state, const IncrementObserver &observer);
+
+    CurveRow
+    balance(const State &state) const;
 
     std::string
     increment_line(const State &state) const;

@@ -12,7 +12,8 @@
 namespace fiberloom
 {
   /**
-   * A distributed symmetric factorisation by MUMPS, called directly because no
+   * A distributed symmetric factorisation, of the symmetric part of a matrix,
+   * by MUMPS, called directly because no
    * interface of deal.II or Trilinos passes on symmetry, ordering or
    * precision. The fill-reducing ordering is METIS's on the graph of blocks,
    * expanded to dofs. LDL^T without pivoting tells the number of negative

@@ -45,10 +45,10 @@ namespace fiberloom
     /** What an increment is asked to satisfy. */
     struct Problem
     {
-      const State            &before; // the last accepted state
-      std::vector<BodyTarget> targets;
-      ContactRule             rule;
-      double                  least_scale = 0; // of the residual [N]
+      const State &before; // the last accepted state
+      Targets      targets;
+      ContactRule  rule;
+      double       least_scale = 0; // of the residual [N]
     };
 
     /**
@@ -91,6 +91,14 @@ namespace fiberloom
 
     double
     largest_penetration() const; // over the radius
+
+    /** Of the last tangent that was factorised, before it was shifted; -1 if
+     * that failed. */
+    int
+    negative_pivots() const
+    {
+      return last_negative_pivots;
+    }
 
   private:
     void
@@ -155,8 +163,9 @@ namespace fiberloom
     StageStatistics            &statistics;
     std::function<void()>       watch;
     std::vector<ContactElement> contact_elements;
-    double                      damping     = 0; // over E r
-    double                      last_factor = 1; // of a Newton step
+    double                      damping              = 0; // over E r
+    double                      last_factor          = 1; // of a Newton step
+    int                         last_negative_pivots = 0;
   };
 } // namespace fiberloom
 

@@ -12,10 +12,11 @@
 namespace fiberloom
 {
   /**
-   * Solves the symmetric system of a Newton iteration by a Krylov method of
-   * Trilinos in double precision around a MUMPS factor in single or double
-   * precision. An indefinite matrix gets a diagonal shift that grows until it
-   * is not, so that the solution is a direction of descent.
+   * Solves the system of a Newton iteration by a Krylov method of Trilinos in
+   * double precision around a MUMPS factor of the symmetric part in single or
+   * double precision. Only moments on free bodies make it unsymmetric. An
+   * indefinite matrix gets a diagonal shift that grows until it is not, so that
+   * the solution is a direction of descent.
    */
   class LinearSolver
   {
@@ -25,23 +26,25 @@ namespace fiberloom
 
     struct Outcome
     {
-      unsigned int iterations     = 0;
-      unsigned int factorizations = 0;
-      double       shift          = 0;
+      unsigned int iterations      = 0;
+      unsigned int factorizations  = 0;
+      double       shift           = 0;
+      int          negative_pivots = 0; // without shift; -1: it failed
     };
 
     /**
      * @p solution : the owned part, resized. @p damping is added to the
      * diagonal of @p matrix in any case, @p shift_unit is the smallest shift
-     * to be tried where that is indefinite [N/mm]. Throws StageFailure if no
-     * shift helps.
+     * to be tried where that is indefinite [N/mm] unless it may be. Throws
+     * StageFailure if no shift helps.
      */
     Outcome
     solve(BlockMatrix               &matrix,
           const std::vector<double> &right_hand_side,
           const double               damping,
           const double               shift_unit,
-          std::vector<double>       &solution);
+          std::vector<double>       &solution,
+          const bool                 may_be_indefinite = false);
 
   private:
     DirectFactor factor;

@@ -18,7 +18,7 @@ namespace fiberloom
     explicit Biaxial(const Scene &scene);
 
     Supports
-    supports() const override;
+    supports(const DofVector &start) const override;
 
     void
     begin(State &state, Equilibrium &equilibrium) const override;

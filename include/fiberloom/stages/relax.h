@@ -18,7 +18,7 @@ namespace fiberloom
     using Stage::Stage;
 
     Supports
-    supports() const override;
+    supports(const DofVector &start) const override;
 
     void
     begin(State &state, Equilibrium &equilibrium) const override;

@@ -63,9 +63,10 @@ namespace fiberloom
 
     virtual ~Stage() = default;
 
-    /** Bodies and the nodes they hold, from the state at the start. */
+    /** Bodies and the nodes they hold; @p start is the placement of the fibers
+     * where the stage begins. */
     virtual Supports
-    supports() const = 0;
+    supports(const DofVector &start) const = 0;
 
     /**
      * Prepares @p state at the start of the stage: placements of the bodies
@@ -79,6 +80,13 @@ namespace fiberloom
     virtual std::vector<BodyTarget>
     targets(const std::vector<Placement> &start, const double load) const = 0;
 
+    /** Dead forces on the nodes at @p load [N]; none if empty. */
+    virtual std::vector<Vector3>
+    node_forces(const double /*load*/) const
+    {
+      return {};
+    }
+
     virtual ContactRule
     rule(const double load) const = 0;
 
@@ -88,6 +96,13 @@ namespace fiberloom
 
     virtual double
     largest_step() const
+    {
+      return 1;
+    }
+
+    /** The next load beyond @p load at which an increment has to end. */
+    virtual double
+    next_stop(const double /*load*/) const
     {
       return 1;
     }
@@ -113,6 +128,20 @@ namespace fiberloom
     virtual CurveRow
     curve(const State                   &state,
           const std::vector<BodyVector> &reactions) const = 0;
+
+    /** Whether the curve also gets contact forces, energies and pivots. */
+    virtual bool
+    shows_balance() const
+    {
+      return false;
+    }
+
+    /** What the user should know about how the input was understood. */
+    virtual std::vector<std::string>
+    notes() const
+    {
+      return {};
+    }
 
   protected:
     const Scene scene;

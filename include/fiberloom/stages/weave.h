@@ -21,7 +21,7 @@ namespace fiberloom
     explicit Weave(const Scene &scene);
 
     Supports
-    supports() const override;
+    supports(const DofVector &start) const override;
 
     void
     begin(State &state, Equilibrium &equilibrium) const override;
