@@ -51,10 +51,10 @@ def check_restart(name, how, after_rows, *settings, straight=None, ranks=1, stat
 
 def check_memory():
     """What contacts remember, where it decides: half woven with friction; a class kept by hysteresis."""
-    nested = ["Stages=weave", "Weaving/Path=nested"]
+    nested = ["Stages=weave", "Weaving/Path=nested", "Fabric/Warp/Fibers per tow=2"]
     done = run(SMALL_WEAVE, "weaving", *nested)
     check(f"woven in {n_rows('weaving')} increments", done.returncode == 0)
-    check_restart("weave", "stop", 2, *nested, straight="weaving")
+    check_restart("weave", "stop", 1, *nested, straight="weaving")
 
     turning = os.path.join(SCENES, "turning_fibers.prm")
     check("turning", run(turning, "turning").returncode == 0)

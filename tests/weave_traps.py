@@ -67,7 +67,7 @@ def line_distance(one, other):
     return smallest
 
 
-def check_fabric(pattern, fibers, *settings):
+def check_fabric(pattern, fibers, *settings, least_distance=1.95):
     directory = f"{pattern.replace(' ', '_').replace('/', '')}_{fibers}{len(settings)}"
     done = run(SMALL_WEAVE, directory, "Stages=weave, relax", f"Fabric/Pattern={pattern}", "Fabric/Warp/Tows=4",
                f"Fabric/Warp/Fibers per tow={fibers}", "Fabric/Warp/Elements per fiber=24", *settings)
@@ -84,7 +84,7 @@ def check_fabric(pattern, fibers, *settings):
     lines = centre_lines(directory)
     check(f"  fibers {len(lines)}", len(lines) == 8 * fibers)
     smallest = min(line_distance(one, other) for one, other in combinations(lines, 2)) / RADIUS
-    check(f"  closest centre lines {smallest:.4f} r", 1.95 <= smallest < 2.01)
+    check(f"  closest centre lines {smallest:.4f} r", least_distance <= smallest < 2.01)
 
 
 def main():
@@ -92,8 +92,8 @@ def main():
         for fibers in (1, 3):
             check_fabric(pattern, fibers)
     check_fabric("plain", 1, "Weaving/Path=nested")
-    # Tight, so that the closest points of bent fibers meet the kinks at element ends.
-    check_fabric("plain", 1, "Weaving/Path=nested", "Fabric/Warp/Tow spacing=0.112")
+    # So tight that closest points meet the kinks of bent centre lines at element ends. Sections are squeezed, too.
+    check_fabric("plain", 1, "Weaving/Path=nested", "Fabric/Warp/Tow spacing=0.08", least_distance=1.9)
     finish()
 
 
