@@ -48,12 +48,6 @@ struct SampleModel
     hold(1, true, 1, Hold::direction);
     hold(2, false, 0, Hold::axial);
     hold(2, true, 1, Hold::center);
-    supports.attachments.push_back(
-      attach(state.q,
-             mesh.lines()[2].first_node + n_elements,
-             1,
-             "z radial",
-             Vector3(0, 0, 5)));
 
     state.placements.resize(2);
     state.placements[0].position = Vector3(-7, 1, 2);

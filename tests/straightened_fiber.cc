@@ -98,9 +98,15 @@ main(int argc, char **argv)
   const Scene whole{parameters, fibers, mesh};
   const auto  stage = create_stage("load", whole);
   StageRun    run(
-    whole, *stage, "load", generator, statistics, log, MPI_COMM_WORLD, [] {
-      return false;
-    });
+    whole,
+    *stage,
+    "load",
+    generator,
+    statistics,
+    log,
+    MPI_COMM_WORLD,
+    [] { return false; },
+    state);
   const double moment       = E * M_PI * std::pow(radius, 4) / 4 / bend;
   double       wrong_moment = 0, wrong_energy = 0;
   run.run(state, [&](const IncrementReport &report) {
