@@ -353,6 +353,9 @@ namespace fiberloom
       mesh.section(q, mesh.locate(zone.fibers[0], u))
         .tangent()
         .dot(mesh.section(q, mesh.locate(zone.fibers[1], *cut)).tangent());
+    // One that is wound around the other overlaps it all along.
+    if (length_over_crossing(zone, cosine) > parallel_length)
+      return 1;
     const double overlap =
       .5 * crossing_spread(cosine, {{first.radius, second.radius}}) *
       std::sqrt(parameters.largest_penetration *

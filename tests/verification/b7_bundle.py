@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+
+"""B7: bending stiffness of straight bundles whose fibers stick, over that where they slide.
+
+Reference: parallel axes, 1 + 4 sum(z^2) / (n r^2) against 1. Sticking has an elastic slip
+of a thousandth of the radius; the cantilever is long enough for that not to count.
+"""
+
+from check import Check
+
+QUICK = False
+SPACING = 1.998
+# [N] by friction coefficient: each bends the cantilever little
+FORCE_OF_FIBER = {0: 1e-6, 1: 1.4e-5}
+
+REFERENCE = {2: 5, 3: 3.6667, 7: 7.8571, 19: 21.2105}
+
+
+def hexagon(rings):
+    """Places (y, z) of the fibers, in units of their spacing."""
+    half = 3**.5 / 2
+    return [(i + j / 2, j * half) for j in range(-rings, rings + 1) for i in range(-rings, rings + 1)
+            if abs(i + j) <= rings]
+
+
+PLACES = {2: [(0, -.5), (0, .5)], 3: [(-.5, 0), (.5, 0), (0, 3**.5 / 2)], 7: hexagon(1), 19: hexagon(2)}
+
+
+def deflection(run, n, friction):
+    fibers = "; ".join(f"0 {SPACING * y!r} {SPACING * z!r}, 100 {SPACING * y!r} {SPACING * z!r}" for y, z in PLACES[n])
+    result = run(f"Fibers/Polylines={fibers}", f"Contact/Friction coefficient={friction}",
+                 f"Drive tip/Force=0; 0; {FORCE_OF_FIBER[friction] * n!r}")
+    return result.last["tip_z[mm]"] / FORCE_OF_FIBER[friction], result.penetration
+
+
+def judge(run):
+    for n, ratio in REFERENCE.items():
+        sliding, _ = deflection(run, n, 0)
+        sticking, penetration = deflection(run, n, 1)
+        yield Check(f"{n} fibers, penetration {penetration:.2g} r", ratio, sliding / sticking, .02)
