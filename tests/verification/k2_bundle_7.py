@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+
+"""K2: hexagonal bundle of 7 glass fibers, clamped rigidly, turned by half a turn at fixed length.
+
+Reference: two unrelated codes, of implicit rods and of discrete elements, which agree within 0.3 %. Their rods have no
+axial force from twist; the solid sections of the program have one, EA (r phi')^2 (1/4 - nu/(2 + 2 nu)) a fiber, so that
+the force is compared as it is and without that part.
+"""
+
+import math
+
+from check import Check
+
+QUICK = False
+RADIUS, YOUNG_MODULUS, POISSON_RATIO, LENGTH = .008, 73000., .22, 1.
+TOLERANCE = .01
+
+
+def twist_tension():
+    """Axial force of one fiber that is twisted by half a turn at fixed length [N]."""
+    stiffness = YOUNG_MODULUS * math.pi * RADIUS ** 2
+    return stiffness * (RADIUS * math.pi / LENGTH) ** 2 * (.25 - POISSON_RATIO / (2 + 2 * POISSON_RATIO))
+
+
+def judge_bundle(run, fibers, force, moment):
+    """Against the force [N] and the moment [N mm] of the two codes."""
+    result = run()
+    computed = abs(result.last["twist_force_x[N]"])
+    what = f"penetration {result.penetration:.4f} r"
+    yield Check(f"Fz [N], {what}", force, computed, TOLERANCE)
+    yield Check("Fz [N] without the fibers' own tension from twist", force, computed - fibers * twist_tension(), TOLERANCE)
+    yield Check("Mz [N.mm]", moment, abs(result.last["twist_moment_x[N.mm]"]), TOLERANCE)
+
+
+def judge(run):
+    yield from judge_bundle(run, 7, .12135, 4.3695e-3)
