@@ -9,7 +9,7 @@ force is linear, N = EA (lambda - 1); the program's fibers have N = EA lambda (l
 
 from check import Check
 
-QUICK = True
+QUICK = False
 YARNS = 4
 TENSION = .1418297  # N, of a yarn
 CROSSING = 2.63556e-2  # N
