@@ -120,14 +120,6 @@ namespace fiberloom
 
 
   double
-  Equilibrium::tightest() const
-  {
-    return std::min(tightest_inner, tolerance());
-  }
-
-
-
-  double
   Equilibrium::measure(const State &state, const Problem &problem)
   {
     ScopedTimer timer(statistics.seconds.assembly);
@@ -211,11 +203,9 @@ namespace fiberloom
       ScopedTimer timer(statistics.seconds.assembly);
       system.assemble(state, problem.targets, contact_elements);
     }
-    const double scale    = residual_scale(problem);
-    const double residual = system.residual_norm() / scale;
+    const double residual = system.residual_norm() / residual_scale(problem);
     const bool   moves    = system.moves(state, problem.targets);
-    if (!moves &&
-        residual < std::max(tolerance, system.rounding_force() / scale))
+    if (!moves && residual < tolerance)
       return Step::converged;
     if (!(residual < diverged))
       return Step::failed;
@@ -265,12 +255,8 @@ namespace fiberloom
   {
     for (unsigned int i = 0; i < parameters.solver.largest_newton_iterations;
          ++i)
-      // Contacts that close on the way are the scale from then on: what was
-      // asked for without them would be beyond rounding.
-      switch (newton_step(state,
-                          problem,
-                          std::max(tolerance, tightest()),
-                          i >= parameters.solver.line_search_from))
+      switch (newton_step(
+        state, problem, tolerance, i >= parameters.solver.line_search_from))
         {
           case Step::converged:
             return true;
@@ -356,7 +342,7 @@ namespace fiberloom
             if (!contact_elements.empty() &&
                 !system.moves(state, problem.targets))
               inner = std::clamp(inner_reduction * residual,
-                                 tightest(),
+                                 std::min(tightest_inner, tolerance()),
                                  loosest_inner);
             if (!newton(state, problem, inner))
               return Outcome::failed;

@@ -10,7 +10,7 @@ import math
 
 from check import Check
 
-QUICK = True
+QUICK = False
 LENGTH, RADIUS, YOUNG = 2., .01, 70000.
 
 # beta L: deflection at mid-span over the overlap of the clamps

@@ -11,7 +11,7 @@ import math
 
 from check import Check
 
-QUICK = True
+QUICK = False
 PUSH, DIAMETER, LINE_STIFFNESS = .004, .02, 1.
 
 
