@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fiberloom
 {
@@ -24,6 +25,8 @@ namespace fiberloom
 
 
   FiberMesh::FiberMesh(const FiberSet &set)
+    : radii{{std::numeric_limits<double>::max(), 0}}
+    , stiffness_scale(std::numeric_limits<double>::max())
   {
     unsigned int n_nodes = 0, n_elements = 0;
     for (const Fiber &fiber : set.fibers)
@@ -46,6 +49,10 @@ namespace fiberloom
                   fiber.radius,
                   fiber.young_modulus,
                   0.};
+        radii = {
+          {std::min(radii[0], fiber.radius), std::max(radii[1], fiber.radius)}};
+        stiffness_scale =
+          std::min(stiffness_scale, fiber.young_modulus * fiber.radius);
         for (unsigned int n = 0; n < fiber.centers.size(); ++n, ++node)
           {
             reference_dofs.segment<9>(9 * node) =

@@ -29,15 +29,6 @@ namespace fiberloom
     constexpr double       stations_over_overlap = 3;
     constexpr unsigned int finest_level          = 6; // of halved spacings
 
-    double
-    largest_radius(const FiberMesh &mesh)
-    {
-      double radius = 0;
-      for (const auto &line : mesh.lines())
-        radius = std::max(radius, line.radius);
-      return radius;
-    }
-
     std::vector<std::array<unsigned int, 2>>
     find_woven_pairs(const FiberSet &set)
     {
@@ -72,8 +63,8 @@ namespace fiberloom
     , mesh(mesh)
     , parameters(parameters)
     , search(mesh,
-             parameters.search_margin * largest_radius(mesh),
-             .5 * largest_radius(mesh),
+             parameters.search_margin * mesh.largest_radius(),
+             .5 * mesh.largest_radius(),
              // Fibers of a fabric do not fold back on themselves.
              parameters.self_contact == "true" ||
                (parameters.self_contact == "automatic" && !fibers.pattern))
@@ -217,7 +208,7 @@ namespace fiberloom
     ContactState                &state,
     std::vector<ContactElement> &contacts) const
   {
-    const double margin = parameters.search_margin * largest_radius(mesh);
+    const double margin = parameters.search_margin * mesh.largest_radius();
     for (const auto &pair : woven_pairs)
       {
         ParameterPair start;
@@ -250,7 +241,7 @@ namespace fiberloom
                                         ContactState                &state,
                                         std::vector<ContactElement> &contacts)
   {
-    const double margin = parameters.search_margin * largest_radius(mesh);
+    const double margin = parameters.search_margin * mesh.largest_radius();
     for (const ProximityZone &proximity :
          find_proximity_zones(mesh, q, search.candidates(q), margin))
       {
@@ -310,7 +301,7 @@ namespace fiberloom
     // Straight fibers at the angle a drift apart by 2 tan(a/2) per length.
     const double crossing =
       crossing_spread(cosine, {{first.radius, second.radius}}) *
-      std::sqrt(parameters.search_margin * largest_radius(mesh));
+      std::sqrt(parameters.search_margin * mesh.largest_radius());
     return (range[1] - range[0]) * piece / (crossing + piece);
   }
 
@@ -381,7 +372,7 @@ namespace fiberloom
     const auto  &pair  = proximity.fibers;
     const double reach = mesh.lines()[pair[0]].radius +
                          mesh.lines()[pair[1]].radius +
-                         parameters.search_margin * largest_radius(mesh);
+                         parameters.search_margin * mesh.largest_radius();
     const double       cell   = 1. / parameters.stations_per_element; // in u
     const auto         range  = proximity.range(0);
     const unsigned int before = contacts.size();

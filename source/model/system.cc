@@ -104,7 +104,7 @@ namespace fiberloom
     rotation_lever(const FiberMesh &mesh)
     {
       // Turns a body's unbalanced moment into a force for the norm.
-      return mesh.lines().front().radius;
+      return mesh.smallest_radius();
     }
   } // namespace
 
@@ -118,8 +118,7 @@ namespace fiberloom
     , attachment_of_node(mesh.n_nodes(), -1)
     , fixed(numbering.n_dofs(), false)
     , has_fixed(numbering.n_blocks(), false)
-    , stiffness(mesh.lines().front().young_modulus *
-                mesh.lines().front().radius)
+    , stiffness(mesh.smallest_stiffness())
     , element_pattern(numbering.owned_blocks().size())
     , residual(numbering.owned_dofs().n_elements())
     , rhs(residual.size())
@@ -458,7 +457,7 @@ namespace fiberloom
   bool
   System::moves(const State &state, const Targets &targets) const
   {
-    const double tolerance = 1e-9 * mesh.lines().front().radius;
+    const double tolerance = 1e-9 * mesh.smallest_radius();
     for (const double value : prescribed_increments(state, targets))
       if (std::abs(value) > tolerance)
         return true;

@@ -94,7 +94,7 @@ namespace fiberloom
       {
         // Interrupted here, the stage has to begin anew: keep the state apart.
         State begun = state;
-        stage.begin(begun, equilibrium);
+        stage.begin(begun);
         begun.stage_start_placements = begun.placements;
         begun.stage_start_q          = state.q;
         begun.step                   = stage.first_step(begun);

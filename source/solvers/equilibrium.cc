@@ -31,6 +31,14 @@ namespace fiberloom
     constexpr double       slow_ratio  = .5;
     constexpr unsigned int slow_passes = 4;
 
+    // Iterations of the one loop without line search.
+    constexpr unsigned int one_loop_search_from = 2;
+
+    // Newton steps cut below the first part of their length ask for more
+    // damping, beyond the second one for less.
+    constexpr double short_step = .3, long_step = .7;
+    constexpr double damping_growth = 4, damping_decay = .5;
+
     constexpr double       diverged         = 1e8;
     constexpr double       shift_over_Er    = 1e-4;
     constexpr unsigned int largest_halvings = 8;
@@ -96,7 +104,7 @@ namespace fiberloom
     // left.
     const double floor =
       std::max({problem.least_scale,
-                1e-9 * system.stiffness_scale() * mesh.lines().front().radius,
+                1e-9 * system.stiffness_scale() * mesh.smallest_radius(),
                 system.rounding_force() / tolerance()});
     double largest = 0;
     for (const ContactElement &contact : contact_elements)
@@ -369,7 +377,10 @@ namespace fiberloom
     for (unsigned int i = 0; i < n; ++i)
       {
         generate(state, problem);
-        if (newton_step(state, problem, tolerance(), i >= 2) != Step::moved)
+        if (newton_step(state,
+                        problem,
+                        tolerance(),
+                        i >= one_loop_search_from) != Step::moved)
           return;
       }
   }
@@ -386,7 +397,8 @@ namespace fiberloom
     for (unsigned int i = 0; i < largest_iterations; ++i)
       {
         generate(state, problem);
-        switch (newton_step(state, problem, tolerance(), i >= 2))
+        switch (
+          newton_step(state, problem, tolerance(), i >= one_loop_search_from))
           {
             case Step::converged:
               if (!needs_stiffening())
@@ -396,10 +408,10 @@ namespace fiberloom
             case Step::failed:
               return false;
             case Step::moved:
-              if (last_factor < .3)
-                damping *= 4;
-              else if (last_factor > .7)
-                damping = std::max(damping / 2, least_damping);
+              if (last_factor < short_step)
+                damping *= damping_growth;
+              else if (last_factor > long_step)
+                damping = std::max(damping * damping_decay, least_damping);
               break;
           }
       }

@@ -27,7 +27,7 @@ namespace fiberloom
 
 
   void
-  Biaxial::begin(State &state, Equilibrium &) const
+  Biaxial::begin(State &state) const
   {
     TowEnds::place(scene, state);
   }

@@ -274,7 +274,7 @@ namespace fiberloom
 
 
   void
-  Load::begin(State &state, Equilibrium &) const
+  Load::begin(State &state) const
   {
     state.placements.assign(drives.size(), Placement());
     for (unsigned int d = 0; d < drives.size(); ++d)

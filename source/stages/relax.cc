@@ -18,7 +18,7 @@ namespace fiberloom
 
 
   void
-  Relax::begin(State &state, Equilibrium &) const
+  Relax::begin(State &state) const
   {
     TowEnds::place(scene, state);
   }

@@ -20,7 +20,7 @@ namespace fiberloom
   Weave::Weave(const Scene &scene)
     : Stage(scene)
     , full_overlap(0)
-    , radius(scene.fibers.fibers.front().radius)
+    , radius(scene.mesh.smallest_radius())
   {
     double thickness[2] = {0, 0};
     for (const Tow &tow : scene.fibers.tows)
@@ -42,7 +42,7 @@ namespace fiberloom
 
 
   void
-  Weave::begin(State &state, Equilibrium &) const
+  Weave::begin(State &state) const
   {
     TowEnds::place(scene, state);
   }
@@ -87,7 +87,7 @@ namespace fiberloom
       return 0;
     const ContactParameters &contact = scene.parameters.contact;
     return contact.initial_stiffness * contact.largest_penetration *
-           scene.fibers.fibers.front().young_modulus * radius * radius;
+           scene.mesh.smallest_stiffness() * radius;
   }
 
 

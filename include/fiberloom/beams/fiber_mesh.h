@@ -141,12 +141,34 @@ namespace fiberloom
     Section
     section(const DofVector &q, const ElementPoint &point) const;
 
+    /** Of all fibers [mm]. */
+    double
+    smallest_radius() const
+    {
+      return radii[0];
+    }
+
+    double
+    largest_radius() const
+    {
+      return radii[1];
+    }
+
+    /** Smallest E r of all fibers, a scale of stiffness [N/mm]. */
+    double
+    smallest_stiffness() const
+    {
+      return stiffness_scale;
+    }
+
   private:
     std::vector<Line>         fiber_lines;
     std::vector<unsigned int> element_fibers;
     std::vector<BeamElement>  beam_elements;
     DofVector                 reference_dofs;
     DofVector                 initial_dofs;
+    std::array<double, 2>     radii; // smallest, largest
+    double                    stiffness_scale;
   };
 } // namespace fiberloom
 

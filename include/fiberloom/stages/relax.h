@@ -21,7 +21,7 @@ namespace fiberloom
     supports(const DofVector &start) const override;
 
     void
-    begin(State &state, Equilibrium &equilibrium) const override;
+    begin(State &state) const override;
 
     std::vector<BodyTarget>
     targets(const std::vector<Placement> &start,

@@ -73,7 +73,7 @@ namespace fiberloom
      * where they have none.
      */
     virtual void
-    begin(State &state, Equilibrium &equilibrium) const = 0;
+    begin(State &state) const = 0;
 
     /** What the bodies are to do at @p load ; @p start are their placements at
      * its start. */
