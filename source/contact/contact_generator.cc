@@ -478,6 +478,31 @@ namespace fiberloom
 
 
 
+  Matrix3
+  ContactGenerator::turn(const ContactElement &contact,
+                         const DofVector      &q_before,
+                         const DofVector      &q,
+                         const ContactState   &state) const
+  {
+    const auto tangent = [&](const DofVector &at, const unsigned int s) {
+      return mesh.section(at, contact.points[s]).tangent();
+    };
+    // That of now for both: at right angles it can change in between.
+    const double same  = sign(tangent(q, 0).dot(tangent(q, 1)));
+    const auto   frame = [&](const DofVector &at) {
+      ContactElement there = contact;
+      set_normal(there, at, state);
+      Matrix3 frame;
+      frame.col(0) = there.normal;
+      frame.col(1) = (tangent(at, 0) + same * tangent(at, 1)).normalized();
+      frame.col(2) = frame.col(0).cross(frame.col(1));
+      return frame;
+    };
+    return frame(q) * frame(q_before).transpose();
+  }
+
+
+
   void
   ContactGenerator::update(std::vector<ContactElement> &contacts,
                            const DofVector             &q,
@@ -498,13 +523,19 @@ namespace fiberloom
 
         contact.friction_limit =
           parameters.friction_coefficient * contact.normal_force;
+        // What was before has turned with the two fibers since.
+        const Matrix3 turned = turn(contact, q_before, q, state);
         contact.separation_before =
+          turned *
           particle_separation(contact, section_pair(contact, q_before));
         contact.slip_before.setZero();
         if (const FrictionHistory *history = nearest_history(
               state.history, contact, mesh.parameter(contact.points[0])))
-          contact.slip_before =
-            history->slip - contact.normal * contact.normal.dot(history->slip);
+          {
+            const Vector3 slip = turned * history->slip;
+            contact.slip_before =
+              slip - contact.normal * contact.normal.dot(slip);
+          }
       }
   }
 

@@ -139,9 +139,13 @@ namespace fiberloom
                        const std::vector<Placement> &placements,
                        const bool                    with_tangent)
   {
-    const unsigned int n         = forces.size();
-    Eigen::MatrixXd    map       = Eigen::MatrixXd::Identity(n, n);
-    Eigen::MatrixXd    geometric = Eigen::MatrixXd::Zero(n, n);
+    using Basis  = Eigen::Matrix<double, 9, 9>;
+    using Motion = Eigen::Matrix<double, 9, 6>;
+
+    const unsigned int  n         = forces.size();
+    Eigen::MatrixXd     geometric = Eigen::MatrixXd::Zero(n, n);
+    std::vector<Basis>  bases(n_nodes);
+    std::vector<Motion> motions(n_nodes); // of the node, by that of its body
     for (unsigned int a = 0; a < n_nodes; ++a)
       {
         if (held[a] == nullptr)
@@ -149,15 +153,16 @@ namespace fiberloom
         const Placement   &placement = placements[held[a]->body];
         const Matrix3      turned    = placement.rotation.toRotationMatrix();
         const NodeVector   node      = q.segment<9>(9 * blocks[a]);
-        const unsigned int body      = offset(body_position[a]);
-        const unsigned int rotation  = body + 3;
+        const unsigned int rotation  = offset(body_position[a]) + 3;
 
-        Eigen::Matrix<double, 9, 9> basis = Eigen::Matrix<double, 9, 9>::Zero();
-        basis.topLeftCorner<3, 3>()       = turned * held[a]->center_frame;
+        Basis &basis = bases[a];
+        basis.setZero();
+        basis.topLeftCorner<3, 3>() = turned * held[a]->center_frame;
         basis.bottomRightCorner<6, 6>() =
           section_basis(*held[a], turned, node.tail<6>());
-        map.block<9, 9>(9 * a, 9 * a) = basis;
-        map.block<3, 3>(9 * a, body).setIdentity();
+        Motion &motion = motions[a];
+        motion.setZero();
+        motion.topLeftCorner<3, 3>().setIdentity();
 
         for (unsigned int v = 0; v < 3; ++v)
           {
@@ -165,7 +170,7 @@ namespace fiberloom
             Vector3            lever = node.segment<3>(3 * v);
             if (v == 0)
               lever -= placement.position;
-            map.block<3, 3>(dof, rotation) = -cross_matrix(lever);
+            motion.block<3, 3>(3 * v, 3) = -cross_matrix(lever);
 
             const Vector3 f = forces.segment<3>(dof);
             geometric.block<3, 3>(rotation, rotation) +=
@@ -188,8 +193,30 @@ namespace fiberloom
             geometric(9 * a + 8, 9 * a + 4) += lift;
           }
       }
-    forces = map.transpose() * forces;
+
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        if (held[a] == nullptr)
+          continue;
+        const unsigned int body = offset(body_position[a]);
+
+        const NodeVector force   = forces.segment<9>(9 * a);
+        forces.segment<9>(9 * a) = bases[a].transpose() * force;
+        forces.segment<6>(body) += motions[a].transpose() * force;
+        if (!with_tangent)
+          continue;
+
+        // Other columns stay: far less work than a product with the whole map.
+        const Eigen::Matrix<double, Eigen::Dynamic, 9> columns =
+          matrix.middleCols<9>(9 * a);
+        matrix.middleCols<9>(9 * a).noalias() = columns * bases[a];
+        matrix.middleCols<6>(body) += columns * motions[a];
+        const Eigen::Matrix<double, 9, Eigen::Dynamic> rows =
+          matrix.middleRows<9>(9 * a);
+        matrix.middleRows<9>(9 * a).noalias() = bases[a].transpose() * rows;
+        matrix.middleRows<6>(body) += motions[a].transpose() * rows;
+      }
     if (with_tangent)
-      matrix = map.transpose() * matrix * map + geometric;
+      matrix += geometric;
   }
 } // namespace fiberloom

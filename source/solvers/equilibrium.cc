@@ -128,6 +128,14 @@ namespace fiberloom
 
 
   double
+  Equilibrium::tightest() const
+  {
+    return std::min(tightest_inner, tolerance());
+  }
+
+
+
+  double
   Equilibrium::measure(const State &state, const Problem &problem)
   {
     ScopedTimer timer(statistics.seconds.assembly);
@@ -211,9 +219,11 @@ namespace fiberloom
       ScopedTimer timer(statistics.seconds.assembly);
       system.assemble(state, problem.targets, contact_elements);
     }
-    const double residual = system.residual_norm() / residual_scale(problem);
+    const double scale    = residual_scale(problem);
+    const double residual = system.residual_norm() / scale;
     const bool   moves    = system.moves(state, problem.targets);
-    if (!moves && residual < tolerance)
+    if (!moves &&
+        residual < std::max(tolerance, system.rounding_force() / scale))
       return Step::converged;
     if (!(residual < diverged))
       return Step::failed;
@@ -263,8 +273,12 @@ namespace fiberloom
   {
     for (unsigned int i = 0; i < parameters.solver.largest_newton_iterations;
          ++i)
-      switch (newton_step(
-        state, problem, tolerance, i >= parameters.solver.line_search_from))
+      // Contacts that close on the way are the scale from then on: what was
+      // asked for without them would be beyond rounding.
+      switch (newton_step(state,
+                          problem,
+                          std::max(tolerance, tightest()),
+                          i >= parameters.solver.line_search_from))
         {
           case Step::converged:
             return true;
@@ -350,7 +364,7 @@ namespace fiberloom
             if (!contact_elements.empty() &&
                 !system.moves(state, problem.targets))
               inner = std::clamp(inner_reduction * residual,
-                                 std::min(tightest_inner, tolerance()),
+                                 tightest(),
                                  loosest_inner);
             if (!newton(state, problem, inner))
               return Outcome::failed;

@@ -152,6 +152,13 @@ namespace fiberloom
                const DofVector    &q,
                const ContactState &state) const;
 
+    /** Rotation of the normal and the mean direction of the two fibers. */
+    Matrix3
+    turn(const ContactElement &contact,
+         const DofVector      &q_before,
+         const DofVector      &q,
+         const ContactState   &state) const;
+
     const FiberSet          &fibers;
     const FiberMesh         &mesh;
     const ContactParameters &parameters;

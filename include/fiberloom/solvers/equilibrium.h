@@ -155,6 +155,10 @@ namespace fiberloom
     double
     tolerance() const;
 
+    /** The tightest that Newton's method is asked for in an outer loop. */
+    double
+    tightest() const;
+
     const FiberMesh            &mesh;
     const Parameters           &parameters;
     ContactGenerator           &generator;
