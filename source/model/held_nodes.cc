@@ -85,7 +85,10 @@ namespace fiberloom
   {
     const Matrix3 old_rotation = before.rotation.toRotationMatrix();
     const Matrix3 new_rotation = after.rotation.toRotationMatrix();
-    const Matrix3 turn         = new_rotation * old_rotation.transpose();
+    // Exactly, where nothing turns: rounding would add up over the iterations.
+    Matrix3 turn = Matrix3::Identity();
+    if (after.rotation.coeffs() != before.rotation.coeffs())
+      turn = new_rotation * old_rotation.transpose();
 
     SectionVector section = dofs.tail<6>();
     section +=

@@ -100,6 +100,8 @@ namespace fiberloom
       }
     };
 
+    constexpr double least_turn = 1e-14; // what rounding leaves of a rotation
+
     double
     rotation_lever(const FiberMesh &mesh)
     {
@@ -444,6 +446,8 @@ namespace fiberloom
                                      now.rotation.conjugate());
         BodyVector              change;
         change << target.position - now.position, turn.angle() * turn.axis();
+        if (turn.angle() < least_turn)
+          change.tail<3>().setZero();
         const unsigned int first = numbering.first_dof(numbering.body_block(b));
         for (unsigned int k = 0; k < 6; ++k)
           if (fixed[first + k])
