@@ -6,8 +6,8 @@
 Reference: the beam of Simo and Reissner by shooting, with E I = G J = 100 and E A = G A = 1e4
 (Ibrahimbegovic 1997), and with the section of the scene. A round fiber with that E A has a
 radius of L/50, bent until r kappa = 0.25, far from a beam with constant E I; so the fiber
-is thinner, E A = 4e6 and G A = 2e6, which is seen where force and moment have drawn the
-curves tight.
+is thinner, E A = 4e6 and G A = 2e6, for which the published numbers, of E A = G A = 1e4,
+were computed anew in the same way; it is seen where the curves are tight.
 """
 
 from check import Check
@@ -22,5 +22,4 @@ THIN = {.01: 1.562641, .035: 3.273212, .05: 2.748248, .1: -1.096705, .2: -.60844
 def judge(run):
     for factor in GIVEN:
         z = run().at("t", 200 * factor)["tip_z[mm]"]
-        yield Check(f"tip z, load factor {factor}, E A = G A = 1e4", GIVEN[factor], z, 1e-2)
-        yield Check(f"tip z, load factor {factor}, section of the scene", THIN[factor], z, 1e-2)
+        yield Check(f"tip z [mm], load factor {factor}", THIN[factor], z, 1e-2, published=GIVEN[factor])

@@ -7,11 +7,15 @@ import math
 
 
 class Check:
-    """A number that may be off by a tolerance, over the reference unless `absolute`."""
+    """A number that may be off by a tolerance, over the reference unless `absolute`.
 
-    def __init__(self, quantity, reference, computed, tolerance, absolute=False):
+    `published` is what the source gives, where the reference is that with the program's law
+    of the section in place of the source's.
+    """
+
+    def __init__(self, quantity, reference, computed, tolerance, absolute=False, published=None):
         self.quantity, self.reference, self.computed = quantity, reference, computed
-        self.tolerance, self.absolute = tolerance, absolute
+        self.tolerance, self.absolute, self.published = tolerance, absolute, published
 
     def error(self):
         return (self.computed - self.reference) / (1 if self.absolute else abs(self.reference))
@@ -20,7 +24,9 @@ class Check:
         return abs(self.error()) <= self.tolerance  # false for NaN
 
     def shown_reference(self):
-        return f"{self.reference:.7g}"
+        if self.published is None:
+            return f"{self.reference:.7g}"
+        return f"{self.reference:.7g} (published {self.published:.7g})"
 
     def shown_error(self):
         return f"{self.error():+.1e}" if self.absolute else f"{100 * self.error():+.3g} %"
