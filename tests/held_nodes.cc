@@ -66,6 +66,41 @@ namespace
     return values;
   }
 
+  /** One increment further, from what the last one was. */
+  void
+  check_extrapolation(Checks            &checks,
+                      const SampleModel &model,
+                      const System      &system)
+  {
+    std::srand(4);
+    Eigen::VectorXd increment =
+      1e-4 * Eigen::VectorXd::Random(system.layout().n_dofs());
+    for (const auto &attachment : model.supports.attachments)
+      for (unsigned int k = 0; k < 9; ++k)
+        if (attachment.held[k])
+          increment[9 * attachment.node + k] = 0;
+    const auto moved = [&](const State &from, const double factor) {
+      State state = from;
+      system.advance(state, increment, factor);
+      return state;
+    };
+
+    State state               = moved(model.state, 1);
+    state.previous_q          = model.state.q;
+    state.previous_placements = model.state.placements;
+    state.previous_load       = 0;
+    state.load                = 2;
+    const State expected      = moved(state, .5);
+    Targets     targets       = model.targets;
+    for (unsigned int b = 0; b < 2; ++b)
+      targets.bodies[b].placement = expected.placements[b];
+    const DofVector start = state.q;
+    system.extrapolate(state, targets, 1);
+    checks.below("extrapolation of an increment",
+                 relative_error(state.q - start, expected.q - start),
+                 1e-3);
+  }
+
   class Differences
   {
   public:
@@ -292,6 +327,8 @@ main(int argc, char **argv)
                  placement.rotation.angularDistance(
                    Eigen::Quaterniond::Identity()),
                  1.5);
+
+  check_extrapolation(checks, model, system);
 
   system.reinit({});
   Differences differences(model, system);

@@ -346,7 +346,7 @@ namespace fiberloom
       catalogue.add("Search margin",
                     contact.search_margin,
                     "Distance between fiber surfaces up to which contacts are "
-                    "made ready, over the fiber radius.",
+                    "made ready, over the largest fiber radius.",
                     Allowed::above(0));
       catalogue.add("Self contact",
                     contact.self_contact,

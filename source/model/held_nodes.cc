@@ -108,6 +108,32 @@ namespace fiberloom
 
 
 
+  NodeVector
+  local_change(const Attachment &attachment,
+               const Placement  &before,
+               const Placement  &after,
+               const NodeVector &dofs_before,
+               const NodeVector &dofs_after)
+  {
+    const NodeVector carried = move_held_node(
+      attachment, before, after, dofs_before, NodeVector::Zero());
+    const Matrix3    rotation = after.rotation.toRotationMatrix();
+    const NodeVector moved    = dofs_after - carried;
+
+    NodeVector local;
+    local.head<3>() =
+      (rotation * attachment.center_frame).transpose() * moved.head<3>();
+    local.tail<6>() =
+      section_basis(attachment, rotation, carried.tail<6>()).transpose() *
+      moved.tail<6>();
+    for (unsigned int k = 0; k < 9; ++k)
+      if (attachment.held[k])
+        local[k] = 0;
+    return local;
+  }
+
+
+
   HeldGroup::HeldGroup(const unsigned int     *nodes,
                        const unsigned int      n_nodes,
                        const std::vector<int> &attachment_of_node,

@@ -698,4 +698,50 @@ namespace fiberloom
       }
     state.placements = std::move(moved);
   }
+
+
+
+  void
+  System::extrapolate(State         &state,
+                      const Targets &targets,
+                      const double   load_step) const
+  {
+    if (state.previous_q.size() == 0)
+      return;
+    const double    ratio = load_step / (state.load - state.previous_load);
+    Eigen::VectorXd increment(numbering.n_dofs());
+
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      {
+        const NodeVector before = state.previous_q.segment<9>(9 * n),
+                         now    = state.q.segment<9>(9 * n);
+        NodeVector change       = now - before;
+        if (const int i = attachment_of_node[n]; i >= 0)
+          {
+            const Attachment  &held = supports.attachments[i];
+            const unsigned int body = held.body;
+            change                  = local_change(held,
+                                  state.previous_placements[body],
+                                  state.placements[body],
+                                  before,
+                                  now);
+          }
+        increment.segment<9>(9 * n) = ratio * change;
+      }
+
+    const std::vector<double> prescribed =
+      prescribed_increments(state, targets);
+    for (unsigned int b = 0; b < state.placements.size(); ++b)
+      {
+        const Placement &from = state.previous_placements[b],
+                        &to   = state.placements[b];
+        BodyVector motion;
+        motion << to.position - from.position, to.turn - from.turn;
+        const unsigned int first = numbering.first_dof(numbering.body_block(b));
+        for (unsigned int k = 0; k < 6; ++k)
+          increment[first + k] =
+            fixed[first + k] ? prescribed[first + k] : ratio * motion[k];
+      }
+    advance(state, increment, 1);
+  }
 } // namespace fiberloom

@@ -144,7 +144,8 @@ namespace fiberloom
           {stage.targets(state.stage_start_placements, load),
            stage.node_forces(load)},
           stage.rule(load),
-          stage.least_force_scale(load)};
+          stage.least_force_scale(load),
+          load - state.load};
         if (equilibrium.solve(found, problem))
           {
             if (statistics.newton_iterations - newton_before <=
@@ -185,8 +186,11 @@ namespace fiberloom
           from.turn +
           rotation_vector(from.rotation, to.rotation, to.turn - from.turn);
       }
-    state      = std::move(found);
-    state.load = load;
+    found.previous_q          = std::move(state.q);
+    found.previous_placements = std::move(state.placements);
+    found.previous_load       = state.load;
+    state                     = std::move(found);
+    state.load                = load;
     ++state.increment;
     state.contact.history =
       friction_history(equilibrium.contacts(), scene.mesh);

@@ -20,6 +20,10 @@ namespace fiberloom
     constexpr double penetration_tolerance = 1.3;
     constexpr double largest_stiffening    = 4;
 
+    // Fibers deeper in each other than this multiple of it, and than twice of
+    // what they were, have been thrown there by a step.
+    constexpr double lost_penetration = 10;
+
     // Inner tolerance: a tenth of what the outer loop still has to remove.
     constexpr double inner_reduction = .1, loosest_inner = .02,
                      tightest_inner = 1e-5;
@@ -42,6 +46,22 @@ namespace fiberloom
     constexpr double       diverged         = 1e8;
     constexpr double       shift_over_Er    = 1e-4;
     constexpr unsigned int largest_halvings = 8;
+
+    // Contacts that open and close by turns bring the same residuals back.
+    bool
+    goes_round(const std::vector<double> &residuals)
+    {
+      constexpr unsigned int longest_period = 8;
+      const unsigned int     n              = residuals.size();
+      const auto same = [&](const unsigned int i, const unsigned int j) {
+        return std::abs(residuals[n - i] / residuals[n - j] - 1) < .005;
+      };
+      for (unsigned int period = 2; period <= longest_period; ++period)
+        if (n >= period + 2 && same(1, 1 + period) && same(2, 2 + period) &&
+            !same(1, 2))
+          return true;
+      return false;
+    }
 
     double
     smaller_radius(const ContactElement &contact)
@@ -222,6 +242,7 @@ namespace fiberloom
     const double scale    = residual_scale(problem);
     const double residual = system.residual_norm() / scale;
     const bool   moves    = system.moves(state, problem.targets);
+    last_residual         = residual;
     if (!moves &&
         residual < std::max(tolerance, system.rounding_force() / scale))
       return Step::converged;
@@ -250,9 +271,9 @@ namespace fiberloom
     const double          move      = system.largest_move(increment);
     if (!std::isfinite(move))
       return Step::failed;
-    double       factor = 1;
+    double       factor = longest_step;
     const double limit  = parameters.solver.largest_move;
-    if (limit > 0 && !contact_elements.empty() && move > limit)
+    if (limit > 0 && !contact_elements.empty() && factor * move > limit)
       factor = limit / move;
     if (search_line && !moves && has_potential)
       {
@@ -285,6 +306,8 @@ namespace fiberloom
           case Step::failed:
             return false;
           case Step::moved:
+            if (is_lost())
+              return false;
             break;
         }
     return false;
@@ -295,6 +318,18 @@ namespace fiberloom
   bool
   Equilibrium::solve(State &state, const Problem &problem)
   {
+    system.extrapolate(state, problem.targets, problem.load_step);
+    generate(state, problem);
+    deepest_penetration =
+      lost_penetration * parameters.contact.largest_penetration;
+    if (is_lost())
+      {
+        state = problem.before;
+        generate(state, problem);
+        deepest_penetration =
+          std::max(deepest_penetration, 2 * largest_penetration());
+      }
+
     const Outcome nested = solve_nested(state, problem);
     if (nested == Outcome::converged)
       return true;
@@ -304,7 +339,7 @@ namespace fiberloom
     // Frozen normals let soft modes of a tow run away, or never settle. In the
     // damped loop normals follow every iteration: from where slow loops got,
     // else from the last good state.
-    bool keep = nested == Outcome::slow;
+    bool keep = nested == Outcome::slow && !is_lost();
     for (const double damping : dampings())
       {
         if (!keep)
@@ -330,6 +365,15 @@ namespace fiberloom
 
 
 
+  bool
+  Equilibrium::is_lost() const
+  {
+    return parameters.contact.line_stiffness == 0 &&
+           largest_penetration() > deepest_penetration;
+  }
+
+
+
   Equilibrium::Outcome
   Equilibrium::solve_nested(State &state, const Problem &problem)
   {
@@ -337,7 +381,8 @@ namespace fiberloom
     for (unsigned int pass = 0; pass < parameters.solver.largest_contact_passes;
          ++pass)
       {
-        generate(state, problem);
+        if (pass > 0)
+          generate(state, problem);
         bool                settled = false;
         std::vector<double> residuals; // of the passes on normals
         for (unsigned int normals = 0;
@@ -408,11 +453,16 @@ namespace fiberloom
                                  const double       least_damping)
   {
     damping = least_damping;
+    std::vector<double> residuals;
     for (unsigned int i = 0; i < largest_iterations; ++i)
       {
+        longest_step = goes_round(residuals) ? .5 : 1;
         generate(state, problem);
-        switch (
-          newton_step(state, problem, tolerance(), i >= one_loop_search_from))
+        const Step step =
+          newton_step(state, problem, tolerance(), i >= one_loop_search_from);
+        longest_step = 1;
+        residuals.push_back(last_residual);
+        switch (step)
           {
             case Step::converged:
               if (!needs_stiffening())

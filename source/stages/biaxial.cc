@@ -30,6 +30,19 @@ namespace fiberloom
   Biaxial::begin(State &state) const
   {
     TowEnds::place(scene, state);
+
+    // A first guess: as if all had been drawn out evenly until now.
+    const auto draw = [&](auto position) {
+      position.x() *= 1 - warp_strain;
+      position.y() *= 1 - fill_strain;
+    };
+    state.previous_q          = state.q;
+    state.previous_placements = state.placements;
+    state.previous_load       = -1;
+    for (unsigned int n = 0; n < scene.mesh.n_nodes(); ++n)
+      draw(state.previous_q.segment<3>(9 * n));
+    for (Placement &placement : state.previous_placements)
+      draw(Eigen::Map<Vector3>(placement.position.data()));
   }
 
 

@@ -156,7 +156,7 @@ def main():
     parser.add_argument("--work", default="verification")
     parser.add_argument("--write")
     parser.add_argument("--quick", action="store_true")
-    sys.exit(verify(parser.parse_args()))
+    sys.exit(verify(parser.parse_intermixed_args()))
 
 
 if __name__ == "__main__":

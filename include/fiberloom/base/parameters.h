@@ -163,7 +163,7 @@ namespace fiberloom
     unsigned int largest_normal_passes     = 15;
     unsigned int largest_newton_iterations = 40;
     unsigned int largest_loop_iterations   = 70;
-    double       damping          = 1e-3; // of the one-loop tangent, over E r
+    double       damping          = 2e-3; // of the one-loop tangent, over E r
     unsigned int line_search_from = 5;
     double       growth           = 1.3;
     unsigned int largest_cuts     = 8;

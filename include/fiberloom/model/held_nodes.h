@@ -30,6 +30,17 @@ namespace fiberloom
                  const NodeVector &local_change);
 
   /**
+   * The local change with which move_held_node() goes from @p dofs_before to
+   * @p dofs_after , to first order.
+   */
+  NodeVector
+  local_change(const Attachment &attachment,
+               const Placement  &before,
+               const Placement  &after,
+               const NodeVector &dofs_before,
+               const NodeVector &dofs_after);
+
+  /**
    * Forces and stiffness of a group of nodes, some of which are held by rigid
    * bodies, transformed to the unknowns of System: dq = F dq_local +
    * dc + dtheta x (q - c), with the second derivative of the rotation in the

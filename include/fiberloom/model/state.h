@@ -30,6 +30,11 @@ namespace fiberloom
     DofVector              stage_start_q;
     ContactState           contact;
 
+    // One increment ago, to extrapolate from; none where q is empty.
+    DofVector              previous_q;
+    std::vector<Placement> previous_placements;
+    double                 previous_load = 0;
+
     unsigned int stage     = 0; // index into the stages of the scene
     unsigned int increment = 0; // accepted in the stage
     double       load      = 0; // of the stage, from 0 to 1
@@ -45,6 +50,7 @@ namespace fiberloom
       increment = 0;
       load      = 0;
       step      = 0;
+      previous_q.resize(0);
     }
 
     /** Empty after the last one. */
@@ -58,7 +64,7 @@ namespace fiberloom
     void
     serialize(Archive &ar, const unsigned int)
     {
-      for (DofVector *dofs : {&q, &stage_start_q})
+      for (DofVector *dofs : {&q, &stage_start_q, &previous_q})
         {
           auto n = dofs->size();
           ar  &n;
@@ -67,6 +73,7 @@ namespace fiberloom
             ar &value;
         }
       ar &placements &stage_start_placements &contact;
+      ar &previous_placements                &previous_load;
       ar &stage &increment &load &step       &dissipation;
       ar &stages_done                        &scene_stages;
     }

@@ -136,6 +136,15 @@ namespace fiberloom
             const Eigen::VectorXd &increment,
             const double           factor) const;
 
+    /**
+     * Moves the prescribed dofs of @p state to their targets, the others as
+     * much further as they went in the last increment, for @p load_step .
+     */
+    void
+    extrapolate(State         &state,
+                const Targets &targets,
+                const double   load_step) const;
+
     const BlockLayout &
     layout() const
     {

@@ -49,12 +49,13 @@ namespace fiberloom
       Targets      targets;
       ContactRule  rule;
       double       least_scale = 0; // of the residual [N]
+      double       load_step   = 0;
     };
 
     /**
-     * Moves @p state to equilibrium by the nested loops or, where they do not
-     * contract, by solve_in_one_loop(). False, with @p state spoilt, if
-     * neither does it.
+     * Moves @p state , which is the last accepted one, to equilibrium by the
+     * nested loops or, where they do not contract, by solve_in_one_loop().
+     * False, with @p state spoilt, if neither does it.
      */
     bool
     solve(State &state, const Problem &problem);
@@ -133,6 +134,10 @@ namespace fiberloom
                  const Eigen::VectorXd &increment,
                  const double           factor) const;
 
+    /** Whether a step has thrown fibers deep into each other. */
+    bool
+    is_lost() const;
+
     enum class Outcome
     {
       converged,
@@ -169,6 +174,9 @@ namespace fiberloom
     std::vector<ContactElement> contact_elements;
     double                      damping              = 0; // over E r
     double                      last_factor          = 1; // of a Newton step
+    double                      last_residual        = 0; // before it
+    double                      longest_step         = 1;
+    double                      deepest_penetration  = 0; // over the radius
     int                         last_negative_pivots = 0;
   };
 } // namespace fiberloom
