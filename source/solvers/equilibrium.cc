@@ -306,7 +306,8 @@ namespace fiberloom
           case Step::failed:
             return false;
           case Step::moved:
-            if (is_lost())
+            // Slender fibers that are few come back by themselves.
+            if (generator.weaves() && is_lost())
               return false;
             break;
         }
@@ -315,21 +316,30 @@ namespace fiberloom
 
 
 
+  void
+  Equilibrium::extrapolate(State &state, const Problem &problem)
+  {
+    generate(state, problem);
+    deepest_penetration =
+      std::max(lost_penetration * parameters.contact.largest_penetration,
+               2 * largest_penetration());
+    // What does not touch bends freely: turns are too large to go on straight.
+    if (contact_elements.empty() || state.previous_q.size() == 0)
+      return;
+    system.extrapolate(state, problem.targets, problem.load_step);
+    generate(state, problem);
+    if (!is_lost())
+      return;
+    state = problem.before;
+    generate(state, problem);
+  }
+
+
+
   bool
   Equilibrium::solve(State &state, const Problem &problem)
   {
-    system.extrapolate(state, problem.targets, problem.load_step);
-    generate(state, problem);
-    deepest_penetration =
-      lost_penetration * parameters.contact.largest_penetration;
-    if (is_lost())
-      {
-        state = problem.before;
-        generate(state, problem);
-        deepest_penetration =
-          std::max(deepest_penetration, 2 * largest_penetration());
-      }
-
+    extrapolate(state, problem);
     const Outcome nested = solve_nested(state, problem);
     if (nested == Outcome::converged)
       return true;

@@ -31,9 +31,12 @@ def radius_error(row):
 
 def judge(run):
     results = {n: run(f"Fibers/Elements per fiber={n}") for n in (8, 16)}
-    for n in (8, 16):
-        row = results[n].last
-        yield Check(f"rope force [N], {n} elements, penetration {results[n].penetration:.4f} r", FORCE,
-                    sum(row[f"{end}_force_z[N]"] for end in ENDS), 5e-3)
-        yield Check(f"torque [N mm], {n} elements", TORQUE, torque(row), 5e-3)
-        yield Bound(f"error of the helix radius over the penetration, {n} elements", radius_error(row), most=.0042)
+    errors = {n: radius_error(result.last) for n, result in results.items()}
+    for n, result in results.items():
+        yield Check(f"rope force [N], {n} elements, penetration {result.penetration:.4f} r", FORCE,
+                    sum(result.last[f"{end}_force_z[N]"] for end in ENDS), 5e-3)
+        yield Check(f"torque [N mm], {n} elements", TORQUE, torque(result.last), 5e-3)
+    yield Bound("error of the helix radius over the penetration, 16 elements", errors[16], most=.0042)
+    yield Bound("its order with elements, 8 to 16", math.log2(errors[8] / errors[16]), least=2)
+    stations = [radius_error(run("Fibers/Elements per fiber=16", f"Contact/Stations per element={n}").last) for n in (1, 4)]
+    yield Bound("its change from 1 to 4 stations per element", abs(stations[1] - stations[0]), most=.0005)

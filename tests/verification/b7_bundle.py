@@ -31,7 +31,8 @@ def deflection(run, n, friction):
     fibers = "; ".join(f"0 {SPACING * y!r} {SPACING * z!r}, 100 {SPACING * y!r} {SPACING * z!r}" for y, z in PLACES[n])
     result = run(f"Fibers/Polylines={fibers}", f"Contact/Friction coefficient={friction}",
                  f"Drive tip/Force=0; 0; {FORCE_OF_FIBER[friction] * n!r}")
-    return result.last["tip_z[mm]"] / FORCE_OF_FIBER[friction], result.penetration
+    start = SPACING * sum(z for _, z in PLACES[n]) / n
+    return (result.last["tip_z[mm]"] - start) / FORCE_OF_FIBER[friction], result.penetration
 
 
 def judge(run):

@@ -8,7 +8,9 @@ force of a Saint Venant-Kirchhoff section, N = EA lambda (lambda^2 - 1)/2, 1.5 %
 published numbers, N = EA (lambda - 1).
 """
 
-from check import Check
+import math
+
+from check import Bound, Check
 
 QUICK = False
 YARNS = 4
@@ -17,10 +19,18 @@ TENSION = {"published": .1418297, "reference": .1438663}  # of a yarn
 CROSSING = {"published": 2.63556e-2, "reference": 2.672645e-2}
 
 
+def tension(result):
+    return result.last["force_warp[N]"] / YARNS
+
+
 def judge(run):
     for level, tolerance in (("draft", .10), ("standard", .02), ("fine", .005)):
         result = run(f"Accuracy={level}")
         what = f"{level}, penetration {result.penetration:.3f} r"
-        yield Check(f"T [N] of a yarn, {what}", computed=result.last["force_warp[N]"] / YARNS, tolerance=tolerance, **TENSION)
+        yield Check(f"T [N] of a yarn, {what}", computed=tension(result), tolerance=tolerance, **TENSION)
         yield Check(f"crossing force [N], {what}", computed=result.last["largest_contact_force[N]"], tolerance=tolerance,
                     **CROSSING)
+    rough, smooth = (run(f"Contact/Largest penetration={penetration}") for penetration in (.04, .01))
+    errors = [abs(tension(result) / TENSION["reference"] - 1) for result in (rough, smooth)]
+    yield Bound(f"order of T with penetration, {rough.penetration:.3f} to {smooth.penetration:.3f} r",
+                math.log(errors[0] / errors[1]) / math.log(rough.penetration / smooth.penetration), least=.8)

@@ -80,6 +80,13 @@ namespace fiberloom
       return search.is_needed();
     }
 
+    /** Whether fibers belong to crossing tows. */
+    bool
+    weaves() const
+    {
+      return !woven_pairs.empty();
+    }
+
     /** Fibers of crossing tows that lie on the wrong side of each other. */
     unsigned int
     crossings_out_of_order(const DofVector &q) const;

@@ -145,6 +145,15 @@ namespace fiberloom
       failed
     };
 
+    /**
+     * Contacts of @p state , and where the last increment tells where fibers
+     * go, those of the extrapolated state, unless that throws fibers deep into
+     * each other.
+     */
+    void
+    extrapolate(State &state, const Problem &problem);
+
+    /** From contacts that have been generated. */
     Outcome
     solve_nested(State &state, const Problem &problem);
 
