@@ -63,7 +63,7 @@ namespace
   {
     return run_small_weave({"Stages=weave",
                             "Weaving/Path=nested",
-                            "Weaving/Step=0.25",
+                            "Weaving/Step=1",
                             "Solver/Line search from=" + line_search_from})
       .spent.newton_iterations;
   }
