@@ -31,6 +31,7 @@ SCENES = os.path.join(HERE, "..", "..", "prm", "verification")
 sys.path.insert(0, HERE)
 
 HEADER = ["case", "quantity", "reference", "computed", "error", "tolerance", "seconds", "verdict"]
+LIMIT = 900  # seconds of a run
 MARK = "<!-- generated from here on by ./loom verify -->"
 
 
@@ -80,17 +81,19 @@ def verify(arguments):
     for name in arguments.cases or case_names(arguments.quick):
         case = importlib.import_module(name)
         runner = Runner(name, arguments)
+        checks, broken = [], False
         try:
-            checks = list(case.judge(runner))
-        except Exception:  # a case that does not run has failed, the others go on
+            for check in case.judge(runner):
+                checks.append(check)
+        except Exception:  # a run that does not end has failed, the others go on
             traceback.print_exc()
-            checks = []
-        if not checks:
-            rows.append([name, "runs", "", "", "", "", f"{runner.seconds:.1f}", "FAILED"])
+            broken = True
         for check in checks:
             rows.append([name, check.quantity, check.shown_reference(), f"{check.computed:.7g}", check.shown_error(),
                          check.shown_tolerance(), f"{runner.seconds:.1f}", "ok" if check.good() else "FAILED"])
-        for row in rows[-max(1, len(checks)):]:
+        if broken or not checks:
+            rows.append([name, "a run that did not end", "", "", "", "", f"{runner.seconds:.1f}", "FAILED"])
+        for row in rows[-len(checks) - broken:]:
             print(" | ".join(row), flush=True)
     failed = sum(row[-1] != "ok" for row in rows)
     print(f"{len(rows) - failed} of {len(rows)} numbers within their tolerance")
@@ -120,7 +123,7 @@ class Runner:
             if restart:
                 words += ["--restart", os.path.join(restart.directory, "checkpoint")]
             start = time.time()
-            done = subprocess.run(words, capture_output=True, text=True)
+            done = subprocess.run(words, capture_output=True, text=True, timeout=LIMIT)
             seconds = time.time() - start
             self.seconds += seconds
             if done.returncode != 0:
