@@ -12,11 +12,18 @@
 
 #include <iostream>
 
+// Of OpenBLAS, where that is the BLAS.
+extern "C" void
+openblas_set_num_threads(int) __attribute__((weak));
+
 int
 main(int argc, char *argv[])
 {
   using namespace fiberloom;
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  // Ranks are the parallelism: with threads of its own each would be slower.
+  if (openblas_set_num_threads)
+    openblas_set_num_threads(1);
   dealii::deal_II_exceptions::disable_abort_on_exception();
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
 

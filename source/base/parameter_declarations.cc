@@ -512,6 +512,12 @@ namespace fiberloom
                     "Precision of the factors of the tangent. Single is a "
                     "preconditioner: half the memory, the same result.",
                     Allowed::one_of("automatic|double|single"));
+      catalogue.add("Benchmark",
+                    solver.benchmark,
+                    "Times one symmetric factorisation in double precision per "
+                    "stage, and reports what Newton iterations cost in its "
+                    "units.",
+                    Allowed::true_or_false());
       catalogue.leave_section();
     }
 

@@ -31,7 +31,8 @@ namespace boost
       ar &s.largest_penetration_over_radius &s.crossings_out_of_order;
       ar                                    &s.contact_elements;
       ar &s.seconds.detection &s.seconds.assembly &s.seconds.linear_solver;
-      ar &s.seconds.output &s.seconds.wall;
+      ar &s.seconds.analysis &s.seconds.factorization &s.seconds.krylov;
+      ar &s.seconds.output &s.seconds.wall &s.seconds.yardstick;
     }
   } // namespace serialization
 } // namespace boost
@@ -43,7 +44,7 @@ namespace fiberloom
     const std::string checkpoint_magic = "fiberloom checkpoint\n";
 
     // to be raised with every change of what is serialised
-    constexpr std::uint64_t checkpoint_version = 3;
+    constexpr std::uint64_t checkpoint_version = 4;
 
     std::string
     words(const std::initializer_list<std::uint64_t> &values)

@@ -107,6 +107,9 @@ namespace fiberloom
           .member("detection", stage.seconds.detection)
           .member("assembly", stage.seconds.assembly)
           .member("linear_solver", stage.seconds.linear_solver)
+          .member("analysis", stage.seconds.analysis)
+          .member("factorization", stage.seconds.factorization)
+          .member("krylov", stage.seconds.krylov)
           .member("output", stage.seconds.output)
           .str();
       return JsonObject(2)

@@ -283,14 +283,53 @@ namespace fiberloom
   void
   Simulation::log_timings(const std::vector<StageStatistics> &stages)
   {
-    log.write((boost::format("%-10s %10s %10s %10s %10s %10s") % "stage" %
-               "detection" % "assembly" % "solver" % "output" % "all [s]")
-                .str());
+    const auto row = [&](const std::string         &name,
+                         const std::vector<double> &seconds) {
+      std::string line = (boost::format("%-9s") % name).str();
+      for (const double number : seconds)
+        line += (boost::format(" %13.2f") % number).str();
+      log.write(line);
+    };
+    std::string titles = "stage    ";
+    for (const char *title : {"detection",
+                              "assembly",
+                              "analysis",
+                              "factorization",
+                              "krylov",
+                              "output",
+                              "all [s]"})
+      titles += (boost::format(" %13s") % title).str();
+    log.write(titles);
     for (const StageStatistics &stage : stages)
-      log.write((boost::format("%-10s %10.2f %10.2f %10.2f %10.2f %10.2f") %
-                 stage.name % stage.seconds.detection % stage.seconds.assembly %
-                 stage.seconds.linear_solver % stage.seconds.output %
-                 stage.seconds.wall)
-                  .str());
+      {
+        const Seconds &s = stage.seconds;
+        row(stage.name,
+            {s.detection,
+             s.assembly,
+             s.analysis,
+             s.factorization,
+             s.krylov,
+             s.output,
+             s.wall});
+      }
+    if (!parameters.solver.benchmark)
+      return;
+
+    for (const StageStatistics &stage : stages)
+      if (const Seconds &s = stage.seconds; s.yardstick > 0)
+        {
+          const double all = s.detection + s.assembly + s.linear_solver;
+          log.write((boost::format(
+                       "%-9s %u Newton iterations, %u factorisations; one "
+                       "symmetric double factorisation: %.2f s on %u ranks; a "
+                       "Newton iteration: %.2f of it; detection and assembly: "
+                       "%.1f %%") %
+                     stage.name % stage.newton_iterations %
+                     stage.factorizations % s.yardstick %
+                     dealii::Utilities::MPI::n_mpi_processes(comm) %
+                     (all / stage.newton_iterations / s.yardstick) %
+                     (100 * (s.detection + s.assembly) / all))
+                      .str());
+        }
   }
 } // namespace fiberloom

@@ -20,6 +20,9 @@ namespace fiberloom
   public:
     virtual ~Implementation() = default;
 
+    virtual void
+    analyse(const BlockMatrix &matrix) = 0;
+
     virtual int
     factorize(const BlockMatrix &matrix) = 0;
 
@@ -149,11 +152,16 @@ namespace fiberloom
       call(data);
     }
 
+    void
+    analyse(const BlockMatrix &matrix) override
+    {
+      if (analysed != matrix.pattern_version() || &matrix != analysed_matrix)
+        order(matrix);
+    }
+
     int
     factorize(const BlockMatrix &matrix) override
     {
-      if (analysed != matrix.pattern_version() || &matrix != analysed_matrix)
-        analyse(matrix);
       fill_values(matrix);
 
       data.a_loc = values.data();
@@ -259,7 +267,7 @@ namespace fiberloom
     }
 
     void
-    analyse(const BlockMatrix &matrix)
+    order(const BlockMatrix &matrix)
     {
       rows.clear();
       columns.clear();
@@ -331,6 +339,14 @@ namespace fiberloom
 
 
   DirectFactor::~DirectFactor() = default;
+
+
+
+  void
+  DirectFactor::analyse(const BlockMatrix &matrix)
+  {
+    implementation->analyse(matrix);
+  }
 
 
 

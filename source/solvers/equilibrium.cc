@@ -43,6 +43,9 @@ namespace fiberloom
     constexpr double short_step = .3, long_step = .7;
     constexpr double damping_growth = 4, damping_decay = .5;
 
+    // Part of the damping in an iteration that is to end a creep.
+    constexpr double leap_damping = .1;
+
     constexpr double       diverged         = 1e8;
     constexpr double       shift_over_Er    = 1e-4;
     constexpr unsigned int largest_halvings = 8;
@@ -61,6 +64,16 @@ namespace fiberloom
             !same(1, 2))
           return true;
       return false;
+    }
+
+    // Forces are nearly in balance, but damping makes soft fibers creep.
+    bool
+    creeps(const std::vector<double> &residuals)
+    {
+      constexpr unsigned int window = 4;
+      const unsigned int     n      = residuals.size();
+      return n > window && residuals[n - 1] < .1 &&
+             residuals[n - 1] > .8 * residuals[n - 1 - window];
     }
 
     double
@@ -262,9 +275,15 @@ namespace fiberloom
                                     solution,
                                     !has_potential);
     }
+    if (parameters.solver.benchmark && statistics.seconds.yardstick == 0)
+      statistics.seconds.yardstick =
+        LinearSolver::time_double_factorization(system.matrix());
     ++statistics.newton_iterations;
     statistics.linear_iterations += outcome.iterations;
     statistics.factorizations += outcome.factorizations;
+    statistics.seconds.analysis += outcome.analysis;
+    statistics.seconds.factorization += outcome.factorization;
+    statistics.seconds.krylov += outcome.krylov;
     last_negative_pivots = outcome.negative_pivots;
 
     const Eigen::VectorXd increment = system.gather(solution);
@@ -464,13 +483,19 @@ namespace fiberloom
   {
     damping = least_damping;
     std::vector<double> residuals;
+    bool                leaps = false;
     for (unsigned int i = 0; i < largest_iterations; ++i)
       {
         longest_step = goes_round(residuals) ? .5 : 1;
         generate(state, problem);
+        const double usual_damping = damping;
+        leaps                      = !leaps && creeps(residuals);
+        if (leaps)
+          damping *= leap_damping;
         const Step step =
           newton_step(state, problem, tolerance(), i >= one_loop_search_from);
         longest_step = 1;
+        damping      = usual_damping;
         residuals.push_back(last_residual);
         switch (step)
           {

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/scoped_timer.h>
 
 #include <fiberloom/solvers/linear_solver.h>
 
@@ -132,10 +133,18 @@ namespace fiberloom
     Outcome outcome;
     outcome.shift = damping;
     matrix.add_to_diagonal(damping);
+    {
+      ScopedTimer timer(outcome.analysis);
+      factor.analyse(matrix);
+    }
     for (unsigned int attempt = 0;; ++attempt)
       {
         ++outcome.factorizations;
-        const int negative_pivots = factor.factorize(matrix);
+        int negative_pivots;
+        {
+          ScopedTimer timer(outcome.factorization);
+          negative_pivots = factor.factorize(matrix);
+        }
         if (attempt == 0)
           outcome.negative_pivots = negative_pivots;
         if (negative_pivots == 0 || (negative_pivots > 0 && may_be_indefinite))
@@ -148,6 +157,7 @@ namespace fiberloom
         outcome.shift = larger;
       }
 
+    ScopedTimer timer(outcome.krylov);
     solution.resize(right_hand_side.size());
     const Epetra_Map &map = matrix.OperatorRangeMap();
     Epetra_Vector b(Copy, map, const_cast<double *>(right_hand_side.data()));
@@ -178,5 +188,21 @@ namespace fiberloom
           break;
       }
     return outcome;
+  }
+
+
+
+  double
+  LinearSolver::time_double_factorization(const BlockMatrix &matrix)
+  {
+    DirectFactor factor(matrix.layout().communicator(),
+                        DirectFactor::Precision::double_precision);
+    factor.analyse(matrix);
+    double seconds = 0;
+    {
+      ScopedTimer timer(seconds);
+      factor.factorize(matrix);
+    }
+    return seconds;
   }
 } // namespace fiberloom

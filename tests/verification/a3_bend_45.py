@@ -8,7 +8,7 @@ problem (Bathe and Bolourchi 1979) and for the round one of the scene. That has 
 and, with J = 2 I = 1/6 and nu = 0, the same G J; its E A and G A are 2.3 % larger.
 """
 
-from check import Check
+from check import Bound, Check, observed_order
 
 QUICK = True
 
@@ -23,3 +23,5 @@ def judge(run):
         for k, axis in enumerate("xyz"):
             for name, reference in (("square", SQUARE), ("round", ROUND)):
                 yield Check(f"{axis}, load {load}, {name} section", reference[load][k], row[f"tip_{axis}[mm]"], 1e-3)
+    tips = [run(f"Fibers/Elements per fiber={n}").last["tip_x[mm]"] for n in (4, 8, 16)]
+    yield Bound("observed order of x, 4, 8, 16 elements", observed_order(*tips), least=2)

@@ -14,6 +14,7 @@ from check import Bound, Check
 
 QUICK = False
 FORCE, TORQUE, RADIUS, PENETRATION = 6377.303, .7218303, .0095, .001
+LINE_STIFFNESS = 47085.55
 ENDS = ("left_end", "right_end")
 
 
@@ -38,5 +39,10 @@ def judge(run):
         yield Check(f"torque [N mm], {n} elements", TORQUE, torque(result.last), 5e-3)
     yield Bound("error of the helix radius over the penetration, 16 elements", errors[16], most=.0042)
     yield Bound("its order with elements, 8 to 16", math.log2(errors[8] / errors[16]), least=2)
+    stiffer = run("Fibers/Elements per fiber=16", f"Contact/Line stiffness={4 * LINE_STIFFNESS}").last
+    pressed = 2 * RADIUS + PENETRATION  # axes of two beams that do not penetrate
+    gaps = [pressed - 2 * math.hypot(row["probe_0_at_0.5_x[mm]"], row["probe_0_at_0.5_y[mm]"])
+            for row in (results[16].last, stiffer)]
+    yield Bound("order of the penetration with the line stiffness", math.log(gaps[0] / gaps[1], 4), least=.95)
     stations = [radius_error(run("Fibers/Elements per fiber=16", f"Contact/Stations per element={n}").last) for n in (1, 4)]
     yield Bound("its change from 1 to 4 stations per element", abs(stations[1] - stations[0]), most=.0005)

@@ -17,6 +17,9 @@ class Check:
         self.quantity, self.reference, self.computed = quantity, reference, computed
         self.tolerance, self.absolute, self.published = tolerance, absolute, published
 
+    def verdict(self):
+        return "ok" if self.good() else "FAILED"
+
     def error(self):
         return (self.computed - self.reference) / (1 if self.absolute else abs(self.reference))
 
@@ -53,6 +56,20 @@ class Bound(Check):
     def shown_tolerance(self):
         bounds = [f"{sign} {bound:.4g}" for sign, bound in ((">=", self.least), ("<=", self.most)) if math.isfinite(bound)]
         return " and ".join(bounds)
+
+
+class Report(Bound):
+    """A number that is shown beside that of others, and not judged."""
+
+    def __init__(self, quantity, computed, others):
+        super().__init__(quantity, computed)
+        self.others = others
+
+    def verdict(self):
+        return "reported"
+
+    def shown_reference(self):
+        return self.others
 
 
 def observed_order(coarse, medium, fine, ratio=2):

@@ -12,4 +12,4 @@ QUICK = False
 
 
 def judge(run):
-    yield from judge_bundle(run, 19, .9395, 1.439e-2)
+    yield from judge_bundle(run, 19, .9395, 1.439e-2, "DisMech 54, Yade 21")

@@ -12,4 +12,4 @@ QUICK = False
 
 
 def judge(run):
-    yield from judge_bundle(run, 37, 3.577, 4.3905e-2)
+    yield from judge_bundle(run, 37, 3.577, 4.3905e-2, "DisMech 194, Yade 60")

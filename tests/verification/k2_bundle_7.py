@@ -10,7 +10,7 @@ added to the published force.
 
 import math
 
-from check import Check
+from check import Check, Report
 
 QUICK = False
 RADIUS, YOUNG_MODULUS, POISSON_RATIO, LENGTH = .008, 73000., .22, 1.
@@ -23,13 +23,14 @@ def twist_tension():
     return stiffness * (RADIUS * math.pi / LENGTH) ** 2 * (.25 - POISSON_RATIO / (2 + 2 * POISSON_RATIO))
 
 
-def judge_bundle(run, fibers, force, moment):
-    """Against the force [N] and the moment [N mm] of the two codes."""
+def judge_bundle(run, fibers, force, moment, seconds):
+    """Against the force [N] and the moment [N mm] of the two codes, beside their CPU seconds."""
     result = run()
+    yield Report("CPU seconds", result.cpu_seconds, seconds)
     yield Check(f"Fz [N], penetration {result.penetration:.4f} r", force + fibers * twist_tension(),
                 abs(result.last["twist_force_x[N]"]), TOLERANCE, published=force)
     yield Check("Mz [N.mm]", moment, abs(result.last["twist_moment_x[N.mm]"]), TOLERANCE)
 
 
 def judge(run):
-    yield from judge_bundle(run, 7, .12135, 4.3695e-3)
+    yield from judge_bundle(run, 7, .12135, 4.3695e-3, "DisMech 1.2-3.8, Yade 6")

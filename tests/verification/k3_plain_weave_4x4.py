@@ -10,7 +10,7 @@ published numbers, N = EA (lambda - 1).
 
 import math
 
-from check import Bound, Check
+from check import Bound, Check, Report
 
 QUICK = False
 YARNS = 4
@@ -26,10 +26,15 @@ def tension(result):
 def judge(run):
     for level, tolerance in (("draft", .10), ("standard", .02), ("fine", .005)):
         result = run(f"Accuracy={level}")
+        if level == "standard":
+            yield Report("CPU seconds, standard", result.cpu_seconds, "DisMech .42-.82, Yade 12.6")
         what = f"{level}, penetration {result.penetration:.3f} r"
         yield Check(f"T [N] of a yarn, {what}", computed=tension(result), tolerance=tolerance, **TENSION)
         yield Check(f"crossing force [N], {what}", computed=result.last["largest_contact_force[N]"], tolerance=tolerance,
                     **CROSSING)
+    stations = [tension(run(f"Contact/Stations per element={n}")) for n in (1, 2, 4)]
+    yield Bound("largest change of T with 1, 2, 4 stations per element, over T",
+                (max(stations) - min(stations)) / TENSION["reference"], most=.001)
     rough, smooth = (run(f"Contact/Largest penetration={penetration}") for penetration in (.04, .01))
     errors = [abs(tension(result) / TENSION["reference"] - 1) for result in (rough, smooth)]
     yield Bound(f"order of T with penetration, {rough.penetration:.3f} to {smooth.penetration:.3f} r",

@@ -12,7 +12,8 @@ scene=NAME)` runs a scene and gives its Result; runs that are asked for twice ar
 
 Prints a table: case, quantity, reference, computed, error, tolerance, seconds, verdict,
 and ends with status 1 if a case falls short. --write puts the table into a document
-behind the line that says it is generated.
+behind the line that says it is generated, with the docstring of each case and its picture
+pictures/verification/NAME.png where the document has one.
 """
 
 import argparse
@@ -20,6 +21,7 @@ import csv
 import importlib
 import json
 import os
+import resource
 import shutil
 import subprocess
 import sys
@@ -38,9 +40,9 @@ MARK = "<!-- generated from here on by ./loom verify -->"
 class Result:
     """What one run left behind."""
 
-    def __init__(self, directory, seconds):
+    def __init__(self, directory, cpu_seconds):
         self.directory = directory
-        self.seconds = seconds
+        self.cpu_seconds = cpu_seconds  # of all ranks
         with open(os.path.join(directory, "summary.json")) as file:
             self.summary = json.load(file)
         self.rows = self.table("loading_curve.csv")
@@ -90,13 +92,13 @@ def verify(arguments):
             broken = True
         for check in checks:
             rows.append([name, check.quantity, check.shown_reference(), f"{check.computed:.7g}", check.shown_error(),
-                         check.shown_tolerance(), f"{runner.seconds:.1f}", "ok" if check.good() else "FAILED"])
+                         check.shown_tolerance(), f"{runner.seconds:.1f}", check.verdict()])
         if broken or not checks:
             rows.append([name, "a run that did not end", "", "", "", "", f"{runner.seconds:.1f}", "FAILED"])
         for row in rows[-len(checks) - broken:]:
             print(" | ".join(row), flush=True)
-    failed = sum(row[-1] != "ok" for row in rows)
-    print(f"{len(rows) - failed} of {len(rows)} numbers within their tolerance")
+    failed, good = (sum(row[-1] == verdict for row in rows) for verdict in ("FAILED", "ok"))
+    print(f"{good} of {good + failed} numbers within their tolerance")
     if arguments.write:
         write_table(arguments.write, rows)
     return failed > 0
@@ -122,14 +124,18 @@ class Runner:
                 words += ["--set", setting]
             if restart:
                 words += ["--restart", os.path.join(restart.directory, "checkpoint")]
-            start = time.time()
+            start, cpu_start = time.time(), cpu_of_children()
             done = subprocess.run(words, capture_output=True, text=True, timeout=LIMIT)
-            seconds = time.time() - start
-            self.seconds += seconds
+            self.seconds += time.time() - start
             if done.returncode != 0:
                 raise RuntimeError(f"{' '.join(words)}: status {done.returncode}: {done.stderr.strip()[-300:]}")
-            self.results[key] = Result(directory, seconds)
+            self.results[key] = Result(directory, cpu_of_children() - cpu_start)
         return self.results[key]
+
+
+def cpu_of_children():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
 
 
 def case_names(quick):
@@ -139,6 +145,14 @@ def case_names(quick):
     return [name for name in names if not quick or importlib.import_module(name).QUICK]
 
 
+def describe(name, directory):
+    text = f"### {name}\n\n{importlib.import_module(name).__doc__.strip()}"
+    picture = f"pictures/verification/{name}.png"
+    if os.path.exists(os.path.join(directory, picture)):
+        text += f"\n\n![{name}]({picture})"
+    return text
+
+
 def write_table(file, rows):
     with open(file) as document:
         text = document.read()
@@ -146,8 +160,9 @@ def write_table(file, rows):
         sys.exit(f"{file} has no line {MARK}")
     lines = [HEADER, ["---"] * len(HEADER)] + rows
     table = "\n".join("| " + " | ".join(row) + " |" for row in lines)
+    cases = "\n\n".join(describe(name, os.path.dirname(file)) for name in dict.fromkeys(row[0] for row in rows))
     with open(file + ".new", "w") as document:
-        document.write(text.split(MARK)[0] + MARK + "\n\n" + table + "\n")
+        document.write(text.split(MARK)[0] + MARK + "\n\n" + table + "\n\n## The cases\n\n" + cases + "\n")
     os.replace(file + ".new", file)
 
 

@@ -168,6 +168,7 @@ namespace fiberloom
     double       growth           = 1.3;
     unsigned int largest_cuts     = 8;
     std::string  factor_precision = "automatic"; // automatic | double | single
+    bool         benchmark        = false;
   };
 
   struct OutputParameters

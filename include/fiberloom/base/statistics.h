@@ -15,9 +15,14 @@ namespace fiberloom
   {
     double detection     = 0;
     double assembly      = 0;
-    double linear_solver = 0;
+    double linear_solver = 0; // of which the next three
+    double analysis      = 0; // fill-reducing ordering, symbolic factorisation
+    double factorization = 0;
+    double krylov        = 0;
     double output        = 0;
-    double wall          = 0;
+    double yardstick     = 0; // one factorisation in double precision; in none
+                              // of the others
+    double wall = 0;
   };
 
   /** What a stage cost and reached; one entry of "stages" in summary.json. */

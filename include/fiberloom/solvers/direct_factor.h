@@ -31,10 +31,15 @@ namespace fiberloom
     DirectFactor(const MPI_Comm comm, const Precision precision);
     ~DirectFactor();
 
+    /** Orders the pattern of @p matrix if it has changed; throws StageFailure.
+     */
+    void
+    analyse(const BlockMatrix &matrix);
+
     /**
-     * Factorises @p matrix ; analyses anew when the pattern has changed.
-     * Returns the number of negative pivots, or -1 when the factorisation
-     * failed (singular). Throws StageFailure when memory runs out.
+     * Factorises @p matrix , which has been analysed. Returns the number of
+     * negative pivots, or -1 when the factorisation failed (singular). Throws
+     * StageFailure when memory runs out.
      */
     int
     factorize(const BlockMatrix &matrix);

@@ -30,6 +30,9 @@ namespace fiberloom
       unsigned int factorizations  = 0;
       double       shift           = 0;
       int          negative_pivots = 0; // without shift; -1: it failed
+      double       analysis        = 0; // [s], as the next two
+      double       factorization   = 0;
+      double       krylov          = 0;
     };
 
     /**
@@ -45,6 +48,10 @@ namespace fiberloom
           const double               shift_unit,
           std::vector<double>       &solution,
           const bool                 may_be_indefinite = false);
+
+    /** Seconds of one factorisation of @p matrix in double precision. */
+    static double
+    time_double_factorization(const BlockMatrix &matrix);
 
   private:
     DirectFactor factor;
