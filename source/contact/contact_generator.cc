@@ -27,7 +27,11 @@ namespace fiberloom
 
     // Stations over half the length on which two straight fibers overlap.
     constexpr double       stations_over_overlap = 3;
-    constexpr unsigned int finest_level          = 6; // of halved spacings
+    constexpr unsigned int most_stations         = 64; // in a cell
+
+    // A cell gets fewer stations when they would do for this part of the
+    // overlap.
+    constexpr double coarsened_below = .7;
 
     std::vector<std::array<unsigned int, 2>>
     find_woven_pairs(const FiberSet &set)
@@ -144,6 +148,7 @@ namespace fiberloom
       {
         zone.crossing = predecessor->crossing;
         zone.side     = predecessor->side;
+        zone.divided  = predecessor->divided;
       }
     else
       {
@@ -333,7 +338,8 @@ namespace fiberloom
   ContactGenerator::stations_in_cell(const ProximityZone &zone,
                                      const double         u,
                                      const double         cell,
-                                     const DofVector     &q) const
+                                     const DofVector     &q,
+                                     const unsigned int   now) const
   {
     const auto cut = cut_second(zone, u, q);
     if (!cut)
@@ -348,15 +354,15 @@ namespace fiberloom
       .5 * crossing_spread(cosine, {{first.radius, second.radius}}) *
       std::sqrt(parameters.largest_penetration *
                 std::min(first.radius, second.radius));
-    double       spacing = cell * first.length / first.n_elements;
-    unsigned int parts   = 1;
-    for (unsigned int level = 0; level < finest_level; ++level)
-      if (spacing * stations_over_overlap > overlap)
-        {
-          spacing /= 2;
-          parts *= 2;
-        }
-    return parts;
+    const double spacing = cell * first.length / first.n_elements;
+    const auto   needed  = [&](const double length) {
+      unsigned int parts = 1;
+      while (parts < most_stations &&
+             spacing * stations_over_overlap > parts * length)
+        parts *= 2;
+      return parts;
+    };
+    return std::clamp(now, needed(overlap), needed(coarsened_below * overlap));
   }
 
 
@@ -366,7 +372,7 @@ namespace fiberloom
     const ProximityZone         &proximity,
     const unsigned int           zone,
     const DofVector             &q,
-    const ContactState          &state,
+    ContactState                &state,
     std::vector<ContactElement> &contacts) const
   {
     const auto  &pair  = proximity.fibers;
@@ -376,11 +382,24 @@ namespace fiberloom
     const double       cell   = 1. / parameters.stations_per_element; // in u
     const auto         range  = proximity.range(0);
     const unsigned int before = contacts.size();
+    const auto         divided_before = std::move(state.zones[zone].divided);
+    state.zones[zone].divided.clear();
 
     for (int k = std::floor(range[0] / cell); k * cell < range[1]; ++k)
       {
+        const auto         was = std::lower_bound(divided_before.begin(),
+                                          divided_before.end(),
+                                          std::make_pair(k, 0u));
         const unsigned int parts =
-          stations_in_cell(proximity, (k + .5) * cell, cell, q);
+          stations_in_cell(proximity,
+                           (k + .5) * cell,
+                           cell,
+                           q,
+                           was != divided_before.end() && was->first == k ?
+                             was->second :
+                             1);
+        if (parts > 1)
+          state.zones[zone].divided.emplace_back(k, parts);
         for (unsigned int part = 0; part < parts; ++part)
           {
             const double u = (k + (part + .5) / parts) * cell;

@@ -139,19 +139,22 @@ namespace fiberloom
 
     /**
      * A power of two, as many as a cell of @p cell around @p u needs: fibers
-     * at an angle overlap on a length that shrinks with it.
+     * at an angle overlap on a length that shrinks with it. The number before,
+     * @p now , stays where it is not much too large, so that stations do not
+     * come and go by turns.
      */
     unsigned int
     stations_in_cell(const ProximityZone &zone,
                      const double         u,
                      const double         cell,
-                     const DofVector     &q) const;
+                     const DofVector     &q,
+                     const unsigned int   now) const;
 
     void
     add_parallel_stations(const ProximityZone         &proximity,
                           const unsigned int           zone,
                           const DofVector             &q,
-                          const ContactState          &state,
+                          ContactState                &state,
                           std::vector<ContactElement> &contacts) const;
 
     void

@@ -6,7 +6,10 @@
 
 #include <fiberloom/base/vector_types.h>
 
+#include <boost/serialization/utility.hpp>
+
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace fiberloom
@@ -24,6 +27,8 @@ namespace fiberloom
     bool   crossing  = false; // one station at the mutual closest point
     int    side      = 0;     // crossing: sign of normal . (t_first x t_second)
     double stiffness = 0;     // line penalty [N/mm^2]
+    std::vector<std::pair<int, unsigned int>>
+      divided; // parallel: cells of several stations, and how many; sorted
 
     template <class Archive>
     void
@@ -31,7 +36,7 @@ namespace fiberloom
     {
       for (unsigned int s = 0; s < 2; ++s)
         ar &fibers[s] & range[s][0] & range[s][1];
-      ar &crossing &side &stiffness;
+      ar &crossing &side &stiffness &divided;
     }
   };
 
