@@ -13,6 +13,7 @@
 #include <fiberloom/contact/contact_law.h>
 
 #include <fstream>
+#include <utility>
 
 #include "checks.h"
 #include "sample_fibers.h"
@@ -177,6 +178,58 @@ namespace
         checks.that("class at " + std::to_string(cosine) + " without",
                     model.state.zones[0].crossing == crossing);
       }
+  }
+
+  /** The most stations in a cell of the only zone. */
+  unsigned int
+  stations_of(Model &model)
+  {
+    model.generate();
+    unsigned int most = 1;
+    for (const auto &cell : model.state.zones.at(0).divided)
+      most = std::max(most, cell.second);
+    return most;
+  }
+
+  /**
+   * Cells of parallel fibers keep their number of stations until seven tenths
+   * of the overlap would do with fewer; without that, stations come and go,
+   * with force on them, as an angle hardly moves.
+   */
+  void
+  check_stations_stay(Checks &checks)
+  {
+    Model        kept({along_x(), along_x(1.9)});
+    const double first    = .3; // rad; within the class of parallel fibers
+    const auto   count_at = [&](const double angle, const bool history) {
+      set_angle(kept, std::cos(angle));
+      if (history)
+        return stations_of(kept);
+      const ContactState state = std::exchange(kept.state, ContactState());
+      const unsigned int parts = stations_of(kept);
+      kept.state               = state;
+      return parts;
+    };
+    const unsigned int most = count_at(first, true);
+    checks.above("stations in a cell at an angle", most, 1.5);
+
+    double without = 0, with = 0, angle = first;
+    for (; with == 0 && angle > .05; angle /= 1.01)
+      {
+        if (without == 0 && count_at(angle, false) < most)
+          without = angle;
+        if (count_at(angle, true) < most)
+          with = angle;
+      }
+    checks.below("angle at which stations go, over that without history",
+                 std::abs(with / without - .7),
+                 .02);
+    checks.equal("stations between, on the way back",
+                 count_at(.5 * (with + without), true),
+                 most / 2);
+    checks.equal("they come back where they are needed",
+                 count_at(1.02 * without, true),
+                 most);
   }
 
   /** The wavy fiber's point nearest to @p point by its centre line alone. */
@@ -496,6 +549,7 @@ main()
   check_crossing(checks);
   check_parallel(checks);
   check_hysteresis(checks);
+  check_stations_stay(checks);
   check_kinks(checks);
   check_self_contact(checks);
   check_inheritance(checks);

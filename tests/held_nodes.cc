@@ -36,7 +36,7 @@ namespace
               system.layout().first_dof(system.layout().body_block(b));
             increment.segment<6>(first) << .3, -.2, .4, .7, .4 * b, -.5;
           }
-        system.advance(model.state, increment, 1);
+        system.motion().advance(model.state, increment, 1);
       }
     for (unsigned int b = 0; b < 2; ++b)
       model.targets.bodies[b].placement = model.state.placements[b];
@@ -81,7 +81,7 @@ namespace
           increment[9 * attachment.node + k] = 0;
     const auto moved = [&](const State &from, const double factor) {
       State state = from;
-      system.advance(state, increment, factor);
+      system.motion().advance(state, increment, factor);
       return state;
     };
 
@@ -95,7 +95,7 @@ namespace
     for (unsigned int b = 0; b < 2; ++b)
       targets.bodies[b].placement = expected.placements[b];
     const DofVector start = state.q;
-    system.extrapolate(state, targets, 1);
+    system.motion().extrapolate(state, targets, 1);
     checks.below("extrapolation of an increment",
                  relative_error(state.q - start, expected.q - start),
                  1e-3);
@@ -149,7 +149,7 @@ namespace
     moved(const unsigned int dof, const double by) const
     {
       State state = model.state;
-      system.advance(state, Eigen::VectorXd::Unit(n, dof), by);
+      system.motion().advance(state, Eigen::VectorXd::Unit(n, dof), by);
       return state;
     }
 
@@ -286,7 +286,7 @@ namespace
       increment[i] += by_i;
       increment[j] += by_j;
       State moved = model.state;
-      system.advance(moved, increment, 1);
+      system.motion().advance(moved, increment, 1);
       return system.energy(moved, {}) -
              system.load_work(model.targets, model.state, moved);
     };

@@ -66,9 +66,8 @@ struct SampleModel
   disturb(const fiberloom::System &system)
   {
     std::srand(5);
-    system.advance(state,
-                   .001 * Eigen::VectorXd::Random(system.layout().n_dofs()),
-                   1);
+    const auto n = system.layout().n_dofs();
+    system.motion().advance(state, .001 * Eigen::VectorXd::Random(n), 1);
   }
 
   /** Pushes fibers 0 and 1, 1 and 2 together where they are. */

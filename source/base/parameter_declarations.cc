@@ -553,6 +553,10 @@ namespace fiberloom
                     output.pictures,
                     "Whether pictures of slices, fabric and curves are drawn.",
                     Allowed::true_or_false());
+      catalogue.add("Iterations in log",
+                    output.iterations,
+                    "Whether log.txt has a line for each Newton iteration.",
+                    Allowed::true_or_false());
       catalogue.leave_section();
     }
   } // namespace

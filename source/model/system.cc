@@ -100,8 +100,6 @@ namespace fiberloom
       }
     };
 
-    constexpr double least_turn = 1e-14; // what rounding leaves of a rotation
-
     double
     rotation_lever(const FiberMesh &mesh)
     {
@@ -116,10 +114,8 @@ namespace fiberloom
     : mesh(mesh)
     , supports(supports)
     , numbering(mesh, supports.bodies.size(), comm)
+    , movement(mesh, supports, numbering)
     , system_matrix(numbering)
-    , attachment_of_node(mesh.n_nodes(), -1)
-    , fixed(numbering.n_dofs(), false)
-    , has_fixed(numbering.n_blocks(), false)
     , stiffness(mesh.smallest_stiffness())
     , element_pattern(numbering.owned_blocks().size())
     , residual(numbering.owned_dofs().n_elements())
@@ -127,24 +123,6 @@ namespace fiberloom
     , body_reactions(supports.bodies.size(), BodyVector::Zero())
     , pending(numbering.n_dofs(), 0.)
   {
-    for (unsigned int i = 0; i < supports.attachments.size(); ++i)
-      {
-        const Attachment &attachment        = supports.attachments[i];
-        attachment_of_node[attachment.node] = i;
-        for (unsigned int k = 0; k < 9; ++k)
-          if (attachment.held[k])
-            fixed[numbering.first_dof(attachment.node) + k] = true;
-        has_fixed[attachment.node] = attachment.held.any();
-      }
-    for (unsigned int b = 0; b < supports.bodies.size(); ++b)
-      {
-        const unsigned int block = numbering.body_block(b);
-        for (unsigned int k = 0; k < 6; ++k)
-          if (supports.bodies[b].prescribed[k])
-            fixed[numbering.first_dof(block) + k] = true;
-        has_fixed[block] = supports.bodies[b].prescribed.any();
-      }
-
     const double size = mesh.reference().lpNorm<Eigen::Infinity>();
     for (const auto &line : mesh.lines())
       rounding = std::max(rounding,
@@ -168,14 +146,14 @@ namespace fiberloom
     /** The blocks a group of nodes couples: the nodes and the bodies that hold
      * them. */
     void
-    append_bodies(const std::vector<int>    &attachment_of_node,
+    append_bodies(const Motion              &motion,
                   const Supports            &supports,
                   const BlockLayout         &layout,
                   std::vector<unsigned int> &blocks)
     {
       const unsigned int n = blocks.size();
       for (unsigned int a = 0; a < n; ++a)
-        if (const int i = attachment_of_node[blocks[a]]; i >= 0)
+        if (const int i = motion.attachment(blocks[a]); i >= 0)
           blocks.push_back(layout.body_block(supports.attachments[i].body));
     }
 
@@ -214,7 +192,7 @@ namespace fiberloom
           {
             const unsigned int n = mesh.first_node(e);
             blocks               = {n, n + 1, n + 2};
-            append_bodies(attachment_of_node, supports, numbering, blocks);
+            append_bodies(movement, supports, numbering, blocks);
             couple(numbering, blocks, element_pattern);
           }
         for (unsigned int b = 0; b < supports.bodies.size(); ++b)
@@ -228,7 +206,7 @@ namespace fiberloom
         const unsigned int i = contact.first_nodes[0],
                            j = contact.first_nodes[1];
         blocks               = {i, i + 1, i + 2, j, j + 1, j + 2};
-        append_bodies(attachment_of_node, supports, numbering, blocks);
+        append_bodies(movement, supports, numbering, blocks);
         couple(numbering, blocks, pattern);
       }
     sort_unique(pattern);
@@ -244,7 +222,7 @@ namespace fiberloom
       {
         if (numbering.local_block(nodes[a]) >= 0)
           return true;
-        const int i = attachment_of_node[nodes[a]];
+        const int i = movement.attachment(nodes[a]);
         if (i >= 0 && numbering.local_block(numbering.body_block(
                         supports.attachments[i].body)) >= 0)
           return true;
@@ -263,13 +241,13 @@ namespace fiberloom
     const bool held = std::any_of(group.nodes.begin(),
                                   group.nodes.end(),
                                   [this](const unsigned int node) {
-                                    return attachment_of_node[node] >= 0;
+                                    return movement.attachment(node) >= 0;
                                   });
     if (held)
       {
         HeldGroup transformed(group.nodes.data(),
                               group.n_nodes,
-                              attachment_of_node,
+                              movement.attachments(),
                               supports,
                               numbering);
         for (unsigned int a = 0; a < group.n_nodes; ++a)
@@ -433,43 +411,6 @@ namespace fiberloom
 
 
 
-  std::vector<double>
-  System::prescribed_increments(const State   &state,
-                                const Targets &targets) const
-  {
-    std::vector<double> increments(numbering.n_dofs(), 0.);
-    for (unsigned int b = 0; b < targets.bodies.size(); ++b)
-      {
-        const Placement        &now    = state.placements[b];
-        const Placement        &target = targets.bodies[b].placement;
-        const Eigen::AngleAxisd turn(target.rotation *
-                                     now.rotation.conjugate());
-        BodyVector              change;
-        change << target.position - now.position, turn.angle() * turn.axis();
-        if (turn.angle() < least_turn)
-          change.tail<3>().setZero();
-        const unsigned int first = numbering.first_dof(numbering.body_block(b));
-        for (unsigned int k = 0; k < 6; ++k)
-          if (fixed[first + k])
-            increments[first + k] = change[k];
-      }
-    return increments;
-  }
-
-
-
-  bool
-  System::moves(const State &state, const Targets &targets) const
-  {
-    const double tolerance = 1e-9 * mesh.smallest_radius();
-    for (const double value : prescribed_increments(state, targets))
-      if (std::abs(value) > tolerance)
-        return true;
-    return false;
-  }
-
-
-
   void
   System::eliminate_fixed(const std::vector<double> &increments)
   {
@@ -482,7 +423,8 @@ namespace fiberloom
         const auto        &columns   = system_matrix.columns(row);
         for (unsigned int c = 0; c < columns.size(); ++c)
           {
-            if (!has_fixed[row_block] && !has_fixed[columns[c]])
+            if (!movement.has_fixed(row_block) &&
+                !movement.has_fixed(columns[c]))
               continue;
             const unsigned int width      = numbering.size(columns[c]);
             const unsigned int column_dof = numbering.first_dof(columns[c]);
@@ -491,9 +433,9 @@ namespace fiberloom
               for (unsigned int j = 0; j < width; ++j)
                 {
                   double &entry = entries[i * width + j];
-                  if (fixed[row_dof + i])
+                  if (movement.is_fixed(row_dof + i))
                     entry = row_dof + i == column_dof + j ? stiffness : 0.;
-                  else if (fixed[column_dof + j])
+                  else if (movement.is_fixed(column_dof + j))
                     {
                       rhs[numbering.local_first_dof(row) + i] -=
                         entry * increments[column_dof + j];
@@ -502,7 +444,7 @@ namespace fiberloom
                 }
           }
         for (unsigned int i = 0; i < height; ++i)
-          if (fixed[row_dof + i])
+          if (movement.is_fixed(row_dof + i))
             rhs[numbering.local_first_dof(row) + i] =
               stiffness * increments[row_dof + i];
       }
@@ -518,7 +460,7 @@ namespace fiberloom
     assemble_all<true>(state, targets, contacts);
     for (unsigned int i = 0; i < rhs.size(); ++i)
       rhs[i] = -residual[i];
-    pending = prescribed_increments(state, targets);
+    pending = movement.prescribed_increments(state, targets);
     eliminate_fixed(pending);
   }
 
@@ -607,7 +549,7 @@ namespace fiberloom
       {
         const unsigned int block = numbering.owned_blocks()[row];
         for (unsigned int i = 0; i < numbering.size(block); ++i)
-          if (!fixed[numbering.first_dof(block) + i])
+          if (!movement.is_fixed(numbering.first_dof(block) + i))
             {
               const bool   moment = block >= mesh.n_nodes() && i >= 3;
               const double value =
@@ -639,109 +581,5 @@ namespace fiberloom
     const int           error = all.Import(owned, *importer, Insert);
     AssertThrow(error == 0, dealii::ExcMessage("import of the increment"));
     return Eigen::Map<const Eigen::VectorXd>(all.Values(), all.MyLength());
-  }
-
-
-
-  double
-  System::largest_move(const Eigen::VectorXd &increment) const
-  {
-    double move = 0;
-    for (const auto &line : mesh.lines())
-      for (unsigned int n = line.first_node;
-           n < line.first_node + line.n_nodes();
-           ++n)
-        for (unsigned int v = 0; v < 3; ++v)
-          move =
-            std::max(move,
-                     increment.segment<3>(9 * n + 3 * v).norm() / line.radius);
-    return move;
-  }
-
-
-
-  void
-  System::advance(State                 &state,
-                  const Eigen::VectorXd &increment,
-                  const double           factor) const
-  {
-    std::vector<Placement> moved = state.placements;
-    for (unsigned int b = 0; b < moved.size(); ++b)
-      {
-        const BodyVector change =
-          factor *
-          increment.segment<6>(numbering.first_dof(numbering.body_block(b)));
-        moved[b].position += change.head<3>();
-        moved[b].turn += change.tail<3>();
-        const double angle = change.tail<3>().norm();
-        if (angle > 0)
-          moved[b].rotation =
-            (Eigen::Quaterniond(
-               Eigen::AngleAxisd(angle, change.tail<3>() / angle)) *
-             moved[b].rotation)
-              .normalized();
-      }
-
-    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
-      {
-        const Eigen::Matrix<double, 9, 1> change =
-          factor * increment.segment<9>(9 * n);
-        auto node = state.q.segment<9>(9 * n);
-        if (const int i = attachment_of_node[n]; i >= 0)
-          node = move_held_node(supports.attachments[i],
-                                state.placements[supports.attachments[i].body],
-                                moved[supports.attachments[i].body],
-                                node,
-                                change);
-        else
-          node += change;
-      }
-    state.placements = std::move(moved);
-  }
-
-
-
-  void
-  System::extrapolate(State         &state,
-                      const Targets &targets,
-                      const double   load_step) const
-  {
-    if (state.previous_q.size() == 0)
-      return;
-    const double    ratio = load_step / (state.load - state.previous_load);
-    Eigen::VectorXd increment(numbering.n_dofs());
-
-    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
-      {
-        const NodeVector before = state.previous_q.segment<9>(9 * n),
-                         now    = state.q.segment<9>(9 * n);
-        NodeVector change       = now - before;
-        if (const int i = attachment_of_node[n]; i >= 0)
-          {
-            const Attachment  &held = supports.attachments[i];
-            const unsigned int body = held.body;
-            change                  = local_change(held,
-                                  state.previous_placements[body],
-                                  state.placements[body],
-                                  before,
-                                  now);
-          }
-        increment.segment<9>(9 * n) = ratio * change;
-      }
-
-    const std::vector<double> prescribed =
-      prescribed_increments(state, targets);
-    for (unsigned int b = 0; b < state.placements.size(); ++b)
-      {
-        const Placement &from = state.previous_placements[b],
-                        &to   = state.placements[b];
-        BodyVector motion;
-        motion << to.position - from.position, to.turn - from.turn;
-        const unsigned int first = numbering.first_dof(numbering.body_block(b));
-        for (unsigned int k = 0; k < 6; ++k)
-          increment[first + k] =
-            fixed[first + k] ? prescribed[first + k] : ratio * motion[k];
-      }
-    advance(state, increment, 1);
   }
 } // namespace fiberloom

@@ -177,6 +177,8 @@ namespace fiberloom
     log_what_is_left_out();
     const int status = run_stages(state, writer);
     log_timings(writer.stages());
+    if (parameters.solver.benchmark)
+      log_benchmark(writer.stages());
     return status;
   }
 
@@ -283,38 +285,26 @@ namespace fiberloom
   void
   Simulation::log_timings(const std::vector<StageStatistics> &stages)
   {
-    const auto row = [&](const std::string         &name,
-                         const std::vector<double> &seconds) {
-      std::string line = (boost::format("%-9s") % name).str();
-      for (const double number : seconds)
-        line += (boost::format(" %13.2f") % number).str();
-      log.write(line);
-    };
-    std::string titles = "stage    ";
-    for (const char *title : {"detection",
-                              "assembly",
-                              "analysis",
-                              "factorization",
-                              "krylov",
-                              "output",
-                              "all [s]"})
-      titles += (boost::format(" %13s") % title).str();
-    log.write(titles);
+    log.write((boost::format("%-9s %13s %13s %13s %13s %13s %13s %13s") %
+               "stage" % "detection" % "assembly" % "analysis" %
+               "factorization" % "krylov" % "output" % "all [s]")
+                .str());
     for (const StageStatistics &stage : stages)
       {
         const Seconds &s = stage.seconds;
-        row(stage.name,
-            {s.detection,
-             s.assembly,
-             s.analysis,
-             s.factorization,
-             s.krylov,
-             s.output,
-             s.wall});
+        log.write((boost::format("%-9s %13.2f %13.2f %13.2f %13.2f %13.2f "
+                                 "%13.2f %13.2f") %
+                   stage.name % s.detection % s.assembly % s.analysis %
+                   s.factorization % s.krylov % s.output % s.wall)
+                    .str());
       }
-    if (!parameters.solver.benchmark)
-      return;
+  }
 
+
+
+  void
+  Simulation::log_benchmark(const std::vector<StageStatistics> &stages)
+  {
     for (const StageStatistics &stage : stages)
       if (const Seconds &s = stage.seconds; s.yardstick > 0)
         {

@@ -76,7 +76,9 @@ namespace fiberloom
                   generator,
                   system,
                   statistics,
-                  [this]() {
+                  [this](const Equilibrium::Progress &progress) {
+                    if (this->scene.parameters.output.iterations)
+                      this->log.write(iteration_line(progress));
                     if (this->stop_requested())
                       throw StopRequested("");
                   })
@@ -225,6 +227,21 @@ namespace fiberloom
               curve,
               statistics,
               state.load >= 1});
+  }
+
+
+
+  std::string
+  StageRun::iteration_line(const Equilibrium::Progress &progress) const
+  {
+    return (boost::format("  %-6s iteration %3u  residual %.2e  last step "
+                          "%.2e  damping %.1e  contacts %6u  penetration "
+                          "%.4f r") %
+            name %
+            (statistics.newton_iterations - shown.newton_iterations + 1) %
+            progress.residual % progress.factor % progress.damping %
+            equilibrium.contacts().size() % equilibrium.largest_penetration())
+      .str();
   }
 
 

@@ -85,12 +85,12 @@ namespace fiberloom
 
 
 
-  Equilibrium::Equilibrium(const FiberMesh      &mesh,
-                           const Parameters     &parameters,
-                           ContactGenerator     &generator,
-                           System               &system,
-                           StageStatistics      &statistics,
-                           std::function<void()> watch)
+  Equilibrium::Equilibrium(const FiberMesh  &mesh,
+                           const Parameters &parameters,
+                           ContactGenerator &generator,
+                           System           &system,
+                           StageStatistics  &statistics,
+                           Watch             watch)
     : mesh(mesh)
     , parameters(parameters)
     , generator(generator)
@@ -230,7 +230,7 @@ namespace fiberloom
         State moved;
         moved.q          = state.q;
         moved.placements = state.placements;
-        system.advance(moved, increment, tried);
+        system.motion().advance(moved, increment, tried);
         const double work = system.load_work(problem.targets, state, moved);
         if (system.energy(moved, contact_elements) - work <=
             before + 1e-12 * std::abs(before))
@@ -247,15 +247,15 @@ namespace fiberloom
                            const double   tolerance,
                            const bool     search_line)
   {
-    watch();
     {
       ScopedTimer timer(statistics.seconds.assembly);
       system.assemble(state, problem.targets, contact_elements);
     }
     const double scale    = residual_scale(problem);
     const double residual = system.residual_norm() / scale;
-    const bool   moves    = system.moves(state, problem.targets);
+    const bool   moves    = system.motion().moves(state, problem.targets);
     last_residual         = residual;
+    watch({residual, damping, last_factor});
     if (!moves &&
         residual < std::max(tolerance, system.rounding_force() / scale))
       return Step::converged;
@@ -287,7 +287,7 @@ namespace fiberloom
     last_negative_pivots = outcome.negative_pivots;
 
     const Eigen::VectorXd increment = system.gather(solution);
-    const double          move      = system.largest_move(increment);
+    const double          move      = system.motion().largest_move(increment);
     if (!std::isfinite(move))
       return Step::failed;
     double       factor = longest_step;
@@ -300,7 +300,7 @@ namespace fiberloom
         factor = search_along(state, problem, increment, factor);
       }
     last_factor = factor;
-    system.advance(state, increment, factor);
+    system.motion().advance(state, increment, factor);
     return Step::moved;
   }
 
@@ -345,7 +345,7 @@ namespace fiberloom
     // What does not touch bends freely: turns are too large to go on straight.
     if (contact_elements.empty() || state.previous_q.size() == 0)
       return;
-    system.extrapolate(state, problem.targets, problem.load_step);
+    system.motion().extrapolate(state, problem.targets, problem.load_step);
     generate(state, problem);
     if (!is_lost())
       return;
@@ -421,8 +421,8 @@ namespace fiberloom
             if (normals > 0)
               update_normals(state, problem);
             const double residual = measure(state, problem);
-            settled =
-              residual < tolerance() && !system.moves(state, problem.targets);
+            settled               = residual < tolerance() &&
+                      !system.motion().moves(state, problem.targets);
             if (settled)
               {
                 if (normals == 0 && !needs_stiffening())
@@ -436,7 +436,7 @@ namespace fiberloom
 
             double inner = tolerance();
             if (!contact_elements.empty() &&
-                !system.moves(state, problem.targets))
+                !system.motion().moves(state, problem.targets))
               inner = std::clamp(inner_reduction * residual,
                                  tightest(),
                                  loosest_inner);

@@ -6,6 +6,9 @@
 Reference: planar Timoshenko rods (shear factor 0.9) with a rigid contact, by a boundary value solver, with the axial
 force of a Saint Venant-Kirchhoff section, N = EA lambda (lambda^2 - 1)/2, 1.5 % more at a strain of 1 % than that of the
 published numbers, N = EA (lambda - 1).
+
+Crossings of single fibers have one station each, whatever Contact/Stations per element says: there is no order with
+stations to observe here.
 """
 
 import math
@@ -32,9 +35,6 @@ def judge(run):
         yield Check(f"T [N] of a yarn, {what}", computed=tension(result), tolerance=tolerance, **TENSION)
         yield Check(f"crossing force [N], {what}", computed=result.last["largest_contact_force[N]"], tolerance=tolerance,
                     **CROSSING)
-    stations = [tension(run(f"Contact/Stations per element={n}")) for n in (1, 2, 4)]
-    yield Bound("largest change of T with 1, 2, 4 stations per element, over T",
-                (max(stations) - min(stations)) / TENSION["reference"], most=.001)
     rough, smooth = (run(f"Contact/Largest penetration={penetration}") for penetration in (.04, .01))
     errors = [abs(tension(result) / TENSION["reference"] - 1) for result in (rough, smooth)]
     yield Bound(f"order of T with penetration, {rough.penetration:.3f} to {smooth.penetration:.3f} r",

@@ -20,9 +20,9 @@ namespace fiberloom
     double factorization = 0;
     double krylov        = 0;
     double output        = 0;
-    double yardstick     = 0; // one factorisation in double precision; in none
-                              // of the others
-    double wall = 0;
+    double yardstick     = 0; // one factorisation in double precision, for
+                              // comparison
+    double wall = 0;          // all of these and the rest
   };
 
   /** What a stage cost and reached; one entry of "stages" in summary.json. */

@@ -15,6 +15,9 @@
 
 namespace fiberloom
 {
+  /** A force and a moment, or a displacement and a rotation vector. */
+  using BodyVector = Eigen::Matrix<double, 6, 1>;
+
   /** Where a rigid body is: part of the state. */
   struct Placement
   {
@@ -82,9 +85,8 @@ namespace fiberloom
   /** What the bodies are to do over an increment. */
   struct BodyTarget
   {
-    Placement                   placement; // for prescribed dofs
-    Eigen::Matrix<double, 6, 1> load =
-      Eigen::Matrix<double, 6, 1>::Zero(); // [N], [N mm]
+    Placement  placement;                 // for prescribed dofs
+    BodyVector load = BodyVector::Zero(); // [N], [N mm]
   };
 
   /** What an increment leads to. */

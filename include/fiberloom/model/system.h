@@ -9,15 +9,13 @@
 #include <fiberloom/coupling/rigid_body.h>
 
 #include <fiberloom/model/block_matrix.h>
-#include <fiberloom/model/state.h>
+#include <fiberloom/model/motion.h>
 
 #include <memory>
 #include <vector>
 
 namespace fiberloom
 {
-  using BodyVector = Eigen::Matrix<double, 6, 1>;
-
   /**
    * The equations of one stage: fibers, contacts and rigid bodies, with the
    * nodes held by bodies eliminated. Each rank evaluates what touches the
@@ -114,10 +112,6 @@ namespace fiberloom
       return rhs;
     }
 
-    /** Whether some prescribed dof is not where its target is. */
-    bool
-    moves(const State &state, const Targets &targets) const;
-
     /**
      * The whole increment from the solution of the linear system (owned part)
      * on every rank, prescribed increments included.
@@ -125,25 +119,12 @@ namespace fiberloom
     Eigen::VectorXd
     gather(const std::vector<double> &owned_solution) const;
 
-    /** Largest change of a node's x0, r g1 or r g2 over its radius by @p
-     * increment . */
-    double
-    largest_move(const Eigen::VectorXd &increment) const;
-
-    /** Adds @p factor times @p increment to @p state . */
-    void
-    advance(State                 &state,
-            const Eigen::VectorXd &increment,
-            const double           factor) const;
-
-    /**
-     * Moves the prescribed dofs of @p state to their targets, the others as
-     * much further as they went in the last increment, for @p load_step .
-     */
-    void
-    extrapolate(State         &state,
-                const Targets &targets,
-                const double   load_step) const;
+    /** How increments move fibers and bodies. */
+    const Motion &
+    motion() const
+    {
+      return movement;
+    }
 
     const BlockLayout &
     layout() const
@@ -172,9 +153,6 @@ namespace fiberloom
     bool
     touches_owned(const unsigned int *nodes, const unsigned int n) const;
 
-    std::vector<double>
-    prescribed_increments(const State &state, const Targets &targets) const;
-
     void
     eliminate_fixed(const std::vector<double> &increments);
 
@@ -189,11 +167,9 @@ namespace fiberloom
     const FiberMesh &mesh;
     const Supports  &supports;
     BlockLayout      numbering;
+    Motion           movement;
     BlockMatrix      system_matrix;
 
-    std::vector<int>                       attachment_of_node; // -1: free
-    std::vector<bool>                      fixed;              // by dof
-    std::vector<bool>                      has_fixed;          // by block
     double                                 stiffness;
     std::vector<std::vector<unsigned int>> element_pattern; // owned rows
 

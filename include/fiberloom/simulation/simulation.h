@@ -76,6 +76,9 @@ namespace fiberloom
     void
     log_timings(const std::vector<StageStatistics> &stages);
 
+    void
+    log_benchmark(const std::vector<StageStatistics> &stages);
+
     const Parameters  parameters;
     const CommandLine command_line;
     const MPI_Comm    comm;

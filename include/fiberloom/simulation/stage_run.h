@@ -63,6 +63,9 @@ namespace fiberloom
     std::string
     increment_line(const State &state) const;
 
+    std::string
+    iteration_line(const Equilibrium::Progress &progress) const;
+
     const Scene           scene;
     const Stage          &stage;
     const std::string     name;

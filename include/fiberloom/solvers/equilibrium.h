@@ -31,16 +31,26 @@ namespace fiberloom
   class Equilibrium
   {
   public:
+    /** Where the loops are. */
+    struct Progress
+    {
+      double residual; // over its scale
+      double damping;  // over E r
+      double factor;   // of the step that led here
+    };
+
+    using Watch = std::function<void(const Progress &)>;
+
     /**
      * References are kept. @p watch is called before each Newton iteration
      * and may throw.
      */
-    Equilibrium(const FiberMesh      &mesh,
-                const Parameters     &parameters,
-                ContactGenerator     &generator,
-                System               &system,
-                StageStatistics      &statistics,
-                std::function<void()> watch);
+    Equilibrium(const FiberMesh  &mesh,
+                const Parameters &parameters,
+                ContactGenerator &generator,
+                System           &system,
+                StageStatistics  &statistics,
+                Watch             watch);
 
     /** What an increment is asked to satisfy. */
     struct Problem
@@ -179,7 +189,7 @@ namespace fiberloom
     System                     &system;
     LinearSolver                linear_solver;
     StageStatistics            &statistics;
-    std::function<void()>       watch;
+    Watch                       watch;
     std::vector<ContactElement> contact_elements;
     double                      damping              = 0; // over E r
     double                      last_factor          = 1; // of a Newton step

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_model_motion_h
+#define fiberloom_model_motion_h
+
+#include <fiberloom/beams/fiber_mesh.h>
+
+#include <fiberloom/coupling/rigid_body.h>
+
+#include <fiberloom/model/block_layout.h>
+#include <fiberloom/model/state.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace fiberloom
+{
+  /**
+   * How the unknowns of a System move fibers and bodies: which node is held by
+   * which body, which dofs are fixed, and what an increment of all dofs does to
+   * a state.
+   */
+  class Motion
+  {
+  public:
+    Motion(const FiberMesh   &mesh,
+           const Supports    &supports,
+           const BlockLayout &layout);
+
+    /** Index into the attachments of the supports by node; -1: free. */
+    const std::vector<int> &
+    attachments() const
+    {
+      return node_attachments;
+    }
+
+    int
+    attachment(const unsigned int node) const
+    {
+      return node_attachments[node];
+    }
+
+    bool
+    is_fixed(const unsigned int dof) const
+    {
+      return fixed[dof];
+    }
+
+    bool
+    has_fixed(const unsigned int block) const
+    {
+      return blocks_with_fixed[block];
+    }
+
+    /** Of the bodies' fixed dofs to their targets, 0 for all others. */
+    std::vector<double>
+    prescribed_increments(const State &state, const Targets &targets) const;
+
+    /** Whether some prescribed dof is not where its target is. */
+    bool
+    moves(const State &state, const Targets &targets) const;
+
+    /** Largest change of a node's x0, r g1 or r g2 over its radius by @p
+     * increment . */
+    double
+    largest_move(const Eigen::VectorXd &increment) const;
+
+    /** Adds @p factor times @p increment to @p state . */
+    void
+    advance(State                 &state,
+            const Eigen::VectorXd &increment,
+            const double           factor) const;
+
+    /**
+     * Moves the prescribed dofs of @p state to their targets, the others as
+     * much further as they went in the last increment, for @p load_step .
+     */
+    void
+    extrapolate(State         &state,
+                const Targets &targets,
+                const double   load_step) const;
+
+  private:
+    const FiberMesh   &mesh;
+    const Supports    &supports;
+    const BlockLayout &layout;
+    std::vector<int>   node_attachments;
+    std::vector<bool>  fixed;
+    std::vector<bool>  blocks_with_fixed;
+  };
+} // namespace fiberloom
+
+#endif

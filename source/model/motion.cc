@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/model/held_nodes.h>
+#include <fiberloom/model/motion.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiberloom
+{
+  namespace
+  {
+    constexpr double least_turn = 1e-14; // what rounding leaves of a rotation
+  }                                      // namespace
+
+
+
+  Motion::Motion(const FiberMesh   &mesh,
+                 const Supports    &supports,
+                 const BlockLayout &layout)
+    : mesh(mesh)
+    , supports(supports)
+    , layout(layout)
+    , node_attachments(mesh.n_nodes(), -1)
+    , fixed(layout.n_dofs(), false)
+    , blocks_with_fixed(layout.n_blocks(), false)
+  {
+    for (unsigned int i = 0; i < supports.attachments.size(); ++i)
+      {
+        const Attachment &attachment      = supports.attachments[i];
+        node_attachments[attachment.node] = i;
+        for (unsigned int k = 0; k < 9; ++k)
+          if (attachment.held[k])
+            fixed[layout.first_dof(attachment.node) + k] = true;
+        blocks_with_fixed[attachment.node] = attachment.held.any();
+      }
+    for (unsigned int b = 0; b < supports.bodies.size(); ++b)
+      {
+        const unsigned int block = layout.body_block(b);
+        for (unsigned int k = 0; k < 6; ++k)
+          if (supports.bodies[b].prescribed[k])
+            fixed[layout.first_dof(block) + k] = true;
+        blocks_with_fixed[block] = supports.bodies[b].prescribed.any();
+      }
+  }
+
+
+
+  std::vector<double>
+  Motion::prescribed_increments(const State   &state,
+                                const Targets &targets) const
+  {
+    std::vector<double> increments(layout.n_dofs(), 0.);
+    for (unsigned int b = 0; b < targets.bodies.size(); ++b)
+      {
+        const Placement        &now    = state.placements[b];
+        const Placement        &target = targets.bodies[b].placement;
+        const Eigen::AngleAxisd turn(target.rotation *
+                                     now.rotation.conjugate());
+        BodyVector              change;
+        change << target.position - now.position, turn.angle() * turn.axis();
+        if (turn.angle() < least_turn)
+          change.tail<3>().setZero();
+        const unsigned int first = layout.first_dof(layout.body_block(b));
+        for (unsigned int k = 0; k < 6; ++k)
+          if (fixed[first + k])
+            increments[first + k] = change[k];
+      }
+    return increments;
+  }
+
+
+
+  bool
+  Motion::moves(const State &state, const Targets &targets) const
+  {
+    const double tolerance = 1e-9 * mesh.smallest_radius();
+    for (const double value : prescribed_increments(state, targets))
+      if (std::abs(value) > tolerance)
+        return true;
+    return false;
+  }
+
+
+
+  double
+  Motion::largest_move(const Eigen::VectorXd &increment) const
+  {
+    double move = 0;
+    for (const auto &line : mesh.lines())
+      for (unsigned int n = line.first_node;
+           n < line.first_node + line.n_nodes();
+           ++n)
+        for (unsigned int v = 0; v < 3; ++v)
+          move =
+            std::max(move,
+                     increment.segment<3>(9 * n + 3 * v).norm() / line.radius);
+    return move;
+  }
+
+
+
+  void
+  Motion::advance(State                 &state,
+                  const Eigen::VectorXd &increment,
+                  const double           factor) const
+  {
+    std::vector<Placement> moved = state.placements;
+    for (unsigned int b = 0; b < moved.size(); ++b)
+      {
+        const BodyVector change =
+          factor * increment.segment<6>(layout.first_dof(layout.body_block(b)));
+        moved[b].position += change.head<3>();
+        moved[b].turn += change.tail<3>();
+        const double angle = change.tail<3>().norm();
+        if (angle > 0)
+          moved[b].rotation =
+            (Eigen::Quaterniond(
+               Eigen::AngleAxisd(angle, change.tail<3>() / angle)) *
+             moved[b].rotation)
+              .normalized();
+      }
+
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      {
+        const Eigen::Matrix<double, 9, 1> change =
+          factor * increment.segment<9>(9 * n);
+        auto node = state.q.segment<9>(9 * n);
+        if (const int i = node_attachments[n]; i >= 0)
+          node = move_held_node(supports.attachments[i],
+                                state.placements[supports.attachments[i].body],
+                                moved[supports.attachments[i].body],
+                                node,
+                                change);
+        else
+          node += change;
+      }
+    state.placements = std::move(moved);
+  }
+
+
+
+  void
+  Motion::extrapolate(State         &state,
+                      const Targets &targets,
+                      const double   load_step) const
+  {
+    const double    ratio = load_step / (state.load - state.previous_load);
+    Eigen::VectorXd increment(layout.n_dofs());
+
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      {
+        const NodeVector before = state.previous_q.segment<9>(9 * n),
+                         now    = state.q.segment<9>(9 * n);
+        NodeVector change       = now - before;
+        if (const int i = node_attachments[n]; i >= 0)
+          {
+            const Attachment  &held = supports.attachments[i];
+            const unsigned int body = held.body;
+            change                  = local_change(held,
+                                  state.previous_placements[body],
+                                  state.placements[body],
+                                  before,
+                                  now);
+          }
+        increment.segment<9>(9 * n) = ratio * change;
+      }
+
+    const std::vector<double> prescribed =
+      prescribed_increments(state, targets);
+    for (unsigned int b = 0; b < state.placements.size(); ++b)
+      {
+        const Placement &from = state.previous_placements[b],
+                        &to   = state.placements[b];
+        BodyVector motion;
+        motion << to.position - from.position, to.turn - from.turn;
+        const unsigned int first = layout.first_dof(layout.body_block(b));
+        for (unsigned int k = 0; k < 6; ++k)
+          increment[first + k] =
+            fixed[first + k] ? prescribed[first + k] : ratio * motion[k];
+      }
+    advance(state, increment, 1);
+  }
+} // namespace fiberloom
