@@ -4,6 +4,7 @@
 #include <fiberloom/model/block_matrix.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 
 #include <Epetra_MultiVector.h>
 
@@ -11,6 +12,15 @@
 
 namespace fiberloom
 {
+  namespace
+  {
+    // Blocks that are not needed any more cost less than a new analysis, up to
+    // this part of those that are.
+    constexpr double largest_surplus = .05;
+  } // namespace
+
+
+
   BlockMatrix::BlockMatrix(const BlockLayout &layout)
     : numbering(layout)
     , owned_map(
@@ -22,6 +32,8 @@ namespace fiberloom
   void
   BlockMatrix::reinit(std::vector<std::vector<unsigned int>> columns)
   {
+    if (covers(columns))
+      return set_zero();
     ++version;
     column_blocks = std::move(columns);
 
@@ -65,6 +77,28 @@ namespace fiberloom
         for (const unsigned int column : column_blocks[row])
           column_positions[row].push_back(position_of_block[column]);
       }
+  }
+
+
+
+  bool
+  BlockMatrix::covers(
+    const std::vector<std::vector<unsigned int>> &columns) const
+  {
+    bool        covered = version > 0;
+    std::size_t present = 0, needed = 0;
+    for (unsigned int row = 0; row < columns.size() && covered; ++row)
+      {
+        covered = std::includes(column_blocks[row].begin(),
+                                column_blocks[row].end(),
+                                columns[row].begin(),
+                                columns[row].end());
+        present += column_blocks[row].size();
+        needed += columns[row].size();
+      }
+    covered = covered && present <= (1 + largest_surplus) * needed;
+    return dealii::Utilities::MPI::min(int(covered),
+                                       numbering.communicator()) == 1;
   }
 
 

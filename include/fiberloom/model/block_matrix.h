@@ -27,7 +27,8 @@ namespace fiberloom
 
     /**
      * Sets the pattern: @p columns has, for each owned block, the sorted
-     * blocks it is coupled to, itself included. Values become zero.
+     * blocks it is coupled to, itself included. Values become zero. A pattern
+     * that holds all of these and hardly more is kept as it is.
      */
     void
     reinit(std::vector<std::vector<unsigned int>> columns);
@@ -69,7 +70,8 @@ namespace fiberloom
       return data.data() + offsets[local_row][index];
     }
 
-    /** Grows with each reinit(): tells solvers that their analysis is stale. */
+    /** Grows with each new pattern: tells solvers that their analysis is
+     * stale. */
     unsigned int
     pattern_version() const
     {
@@ -135,6 +137,10 @@ namespace fiberloom
     }
 
   private:
+    /** Whether the pattern holds @p columns on every rank, and hardly more. */
+    bool
+    covers(const std::vector<std::vector<unsigned int>> &columns) const;
+
     const BlockLayout &numbering;
     Epetra_Map         owned_map;
     unsigned int       version = 0;
