@@ -22,12 +22,12 @@ namespace
 
   Eigen::VectorXd
   solve(System            &system,
-        const std::string &precision,
+        const std::string &name,
         const double       shift_unit,
         Outcome           &outcome)
   {
     std::vector<double> solution;
-    LinearSolver        solver(system.layout(), precision);
+    LinearSolver solver(system.layout(), name, system.rigid_modes());
     outcome = solver.solve(
       system.matrix(), system.right_hand_side(), 0, shift_unit, solution);
     return system.gather(solution);
@@ -56,12 +56,19 @@ namespace
           model.contacts.erase(model.contacts.begin());
         system.reinit(model.contacts);
         system.assemble(model.state, model.targets, model.contacts);
-        Outcome               with_double, with_single;
+        Outcome               with_double, with_single, with_multigrid;
         const double          unit = 1e-3;
         const Eigen::VectorXd exact =
-          solve(system, "double", unit, with_double);
+          solve(system, "double factor", unit, with_double);
         const Eigen::VectorXd found =
-          solve(system, "single", unit, with_single);
+          solve(system, "single factor", unit, with_single);
+        const Eigen::VectorXd coarsened =
+          solve(system, "multigrid", unit, with_multigrid);
+        checks.below("remainder, multigrid", remainder(system, coarsened), 1e-8);
+        checks.equal("factorisations, multigrid",
+                     with_multigrid.factorizations,
+                     0);
+        checks.above("iterations, multigrid", with_multigrid.iterations, 8);
         checks.equal("shift", with_double.shift + with_single.shift, 0);
         checks.below("remainder, double", remainder(system, exact), 1e-8);
         checks.below("remainder, single", remainder(system, found), 1e-8);
@@ -107,7 +114,7 @@ namespace
         std::vector<ContactElement> none;
         system.assemble(state, targets, none);
         Outcome               outcome;
-        const Eigen::VectorXd step = solve(system, "double", 1e-7, outcome);
+        const Eigen::VectorXd step = solve(system, "double factor", 1e-7, outcome);
         const Eigen::VectorXd down = system.gather(system.right_hand_side());
         const std::string     name =
           "compressed to " + std::to_string(part) + " times Euler's load";

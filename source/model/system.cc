@@ -541,6 +541,51 @@ namespace fiberloom
 
 
 
+  std::array<std::vector<double>, 6>
+  System::rigid_modes() const
+  {
+    // Near enough to a body's reference point, which is part of the state.
+    std::vector<Vector3>      centers(supports.bodies.size(), Vector3::Zero());
+    std::vector<unsigned int> n_held(supports.bodies.size(), 0);
+    for (const Attachment &attachment : supports.attachments)
+      {
+        centers[attachment.body] +=
+          mesh.reference().segment<3>(9 * attachment.node);
+        ++n_held[attachment.body];
+      }
+    for (unsigned int b = 0; b < centers.size(); ++b)
+      centers[b] /= std::max(1u, n_held[b]);
+
+    std::array<std::vector<double>, 6> modes;
+    for (unsigned int mode = 0; mode < 6; ++mode)
+      {
+        Vector3 shift = Vector3::Zero(), turn = Vector3::Zero();
+        (mode < 3 ? shift : turn)[mode % 3] = 1;
+        for (const unsigned int block : numbering.owned_blocks())
+          {
+            Eigen::VectorXd change(numbering.size(block));
+            if (block >= mesh.n_nodes())
+              change << shift + turn.cross(centers[block - mesh.n_nodes()]),
+                turn;
+            else if (movement.attachment(block) >= 0)
+              change.setZero(); // goes with its body
+            else
+              for (unsigned int v = 0; v < 3; ++v)
+                change.segment<3>(3 * v) =
+                  (v == 0 ? shift : Vector3::Zero().eval()) +
+                  turn.cross(
+                    mesh.reference().segment<3>(9 * block + 3 * v));
+            for (unsigned int k = 0; k < change.size(); ++k)
+              modes[mode].push_back(
+                movement.is_fixed(numbering.first_dof(block) + k) ? 0 :
+                                                                  change[k]);
+          }
+      }
+    return modes;
+  }
+
+
+
   double
   System::residual_norm() const
   {

@@ -141,6 +141,7 @@ namespace fiberloom
       control(data, 12) = 1;  // no compression of the graph
       control(data, 13) = 1;  // no parallel root: pivot signs are counted
       control(data, 14) = 40; // memory margin [%]
+      control(data, 15) = 1;  // the analysis is one of blocks
       control(data, 18) = 3;  // distributed entries
       control(data, 28) = 1;  // sequential analysis
       data.cntl[0]      = 0;  // no numerical pivoting
@@ -280,19 +281,26 @@ namespace fiberloom
                            });
       positions = pivot_positions(matrix);
 
+      const BlockLayout &layout = matrix.layout();
+      block_begins.clear();
+      for (unsigned int block = 0; block <= layout.n_blocks(); ++block)
+        block_begins.push_back(layout.first_dof(block) + 1);
+
       // The order in which owned dofs arrive on rank 0.
       std::vector<dealii::types::global_dof_index> mine;
-      matrix.layout().owned_dofs().fill_index_vector(mine);
+      layout.owned_dofs().fill_index_vector(mine);
       const auto owned = dealii::Utilities::MPI::gather(comm, mine, 0);
       dof_order.clear();
       for (const auto &part : owned)
         dof_order.insert(dof_order.end(), part.begin(), part.end());
 
-      data.n       = matrix.layout().n_dofs();
+      data.n       = layout.n_dofs();
       data.nnz_loc = rows.size();
       data.irn_loc = rows.data();
       data.jcn_loc = columns.data();
       data.perm_in = positions.data();
+      data.nblk    = layout.n_blocks();
+      data.blkptr  = block_begins.data();
       data.job     = 1;
       call(data);
       if (data.infog[0] < 0)
@@ -322,6 +330,7 @@ namespace fiberloom
     unsigned int                                 analysed        = 0;
     const BlockMatrix                           *analysed_matrix = nullptr;
     std::vector<int>                             rows, columns, positions;
+    std::vector<int>                             block_begins;
     std::vector<Real>                            values, right_hand_side;
     std::vector<dealii::types::global_dof_index> dof_order;
   };

@@ -95,7 +95,9 @@ namespace fiberloom
     , parameters(parameters)
     , generator(generator)
     , system(system)
-    , linear_solver(system.layout(), parameters.solver.factor_precision)
+    , linear_solver(system.layout(),
+                    parameters.solver.linear_solver,
+                    system.rigid_modes())
     , statistics(statistics)
     , watch(std::move(watch))
   {}

@@ -7,7 +7,6 @@
 #include <fiberloom/solvers/linear_solver.h>
 
 #include <AztecOO.h>
-#include <Epetra_Vector.h>
 
 #include <algorithm>
 
@@ -27,10 +26,11 @@ namespace fiberloom
     DirectFactor::Precision
     choose_precision(const std::string &name, const unsigned int n_dofs)
     {
-      const bool single = name == "single" || (name == "automatic" &&
-                                               n_dofs >= single_precision_from);
-      return single ? DirectFactor::Precision::single_precision :
-                      DirectFactor::Precision::double_precision;
+      const bool in_double =
+        name == "double factor" ||
+        (name == "automatic" && n_dofs < single_precision_from);
+      return in_double ? DirectFactor::Precision::double_precision :
+                         DirectFactor::Precision::single_precision;
     }
 
     /** The factor as a preconditioner of Trilinos. */
@@ -115,10 +115,68 @@ namespace fiberloom
 
 
   LinearSolver::LinearSolver(const BlockLayout &layout,
-                             const std::string &precision)
-    : factor(layout.communicator(),
-             choose_precision(precision, layout.n_dofs()))
+                             const std::string &name,
+                             const RigidModes  &modes)
+    : factor(layout.communicator(), choose_precision(name, layout.n_dofs()))
+    , multigrid(name == "multigrid" ? std::make_unique<Multigrid>(modes) :
+                                      nullptr)
   {}
+
+
+
+  namespace
+  {
+    /** Adds to @p outcome ; whether the true residual has become small. */
+    bool
+    iterate(BlockMatrix             &matrix,
+            Epetra_Operator         &preconditioner,
+            Epetra_Vector           &b,
+            Epetra_Vector           &x,
+            LinearSolver::Outcome   &outcome)
+    {
+      ScopedTimer timer(outcome.krylov);
+      double      norm;
+      b.Norm2(&norm);
+      x.PutScalar(0);
+      if (norm == 0)
+        return true;
+
+      AztecOO krylov;
+      krylov.SetUserOperator(&matrix);
+      krylov.SetLHS(&x);
+      krylov.SetRHS(&b);
+      krylov.SetPrecOperator(&preconditioner);
+      krylov.SetAztecOption(AZ_solver, AZ_gmres);
+      krylov.SetAztecOption(AZ_kspace, krylov_space);
+      krylov.SetAztecOption(AZ_output, AZ_none);
+      krylov.SetAztecOption(AZ_conv, AZ_rhs);
+      // The method estimates its residual as if the preconditioner were
+      // exactly linear; in single precision it is not, so the true one decides.
+      for (unsigned int cycle = 0; cycle < largest_cycles; ++cycle)
+        {
+          krylov.Iterate(krylov_space, relative_tolerance);
+          outcome.iterations += krylov.NumIters();
+          if (krylov.TrueResidual() <= relative_tolerance * norm)
+            return true;
+        }
+      return false;
+    }
+
+
+
+    void
+    shift_more(BlockMatrix           &matrix,
+               const unsigned int     attempt,
+               const double           unit,
+               LinearSolver::Outcome &outcome)
+    {
+      if (attempt == largest_shifts)
+        throw StageFailure("the tangent stays indefinite for every shift");
+      const double larger = std::max(unit, shift_growth * outcome.shift);
+      matrix.add_to_diagonal(larger - outcome.shift);
+      outcome.shift = larger;
+    }
+  } // namespace
 
 
 
@@ -133,6 +191,16 @@ namespace fiberloom
     Outcome outcome;
     outcome.shift = damping;
     matrix.add_to_diagonal(damping);
+
+    solution.resize(right_hand_side.size());
+    const Epetra_Map &map = matrix.OperatorRangeMap();
+    Epetra_Vector b(Copy, map, const_cast<double *>(right_hand_side.data()));
+    Epetra_Vector x(View, map, solution.data());
+    if (multigrid &&
+        solve_by_multigrid(
+          matrix, b, shift_unit, x, may_be_indefinite, outcome))
+      return outcome;
+
     {
       ScopedTimer timer(outcome.analysis);
       factor.analyse(matrix);
@@ -149,45 +217,38 @@ namespace fiberloom
           outcome.negative_pivots = negative_pivots;
         if (negative_pivots == 0 || (negative_pivots > 0 && may_be_indefinite))
           break;
-        if (attempt == largest_shifts)
-          throw StageFailure("the tangent stays indefinite for every shift");
-        const double larger =
-          std::max(shift_unit, shift_growth * outcome.shift);
-        matrix.add_to_diagonal(larger - outcome.shift);
-        outcome.shift = larger;
+        shift_more(matrix, attempt, shift_unit, outcome);
       }
-
-    ScopedTimer timer(outcome.krylov);
-    solution.resize(right_hand_side.size());
-    const Epetra_Map &map = matrix.OperatorRangeMap();
-    Epetra_Vector b(Copy, map, const_cast<double *>(right_hand_side.data()));
-    Epetra_Vector x(View, map, solution.data());
-    double        norm;
-    b.Norm2(&norm);
-    x.PutScalar(0);
-    if (norm == 0)
-      return outcome;
-
     FactorOperator preconditioner(factor, matrix);
-    AztecOO        krylov;
-    krylov.SetUserOperator(&matrix);
-    krylov.SetLHS(&x);
-    krylov.SetRHS(&b);
-    krylov.SetPrecOperator(&preconditioner);
-    krylov.SetAztecOption(AZ_solver, AZ_gmres);
-    krylov.SetAztecOption(AZ_kspace, krylov_space);
-    krylov.SetAztecOption(AZ_output, AZ_none);
-    krylov.SetAztecOption(AZ_conv, AZ_rhs);
-    // The method estimates its residual as if the factor were exactly linear;
-    // in single precision it is not, so the true one decides.
-    for (unsigned int cycle = 0; cycle < largest_cycles; ++cycle)
-      {
-        krylov.Iterate(krylov_space, relative_tolerance);
-        outcome.iterations += krylov.NumIters();
-        if (krylov.TrueResidual() <= relative_tolerance * norm)
-          break;
-      }
+    iterate(matrix, preconditioner, b, x, outcome);
     return outcome;
+  }
+
+
+
+  bool
+  LinearSolver::solve_by_multigrid(BlockMatrix   &matrix,
+                                   Epetra_Vector &b,
+                                   const double   shift_unit,
+                                   Epetra_Vector &x,
+                                   const bool     may_be_indefinite,
+                                   Outcome       &outcome)
+  {
+    outcome.negative_pivots = -1;
+    for (unsigned int attempt = 0;; ++attempt)
+      {
+        {
+          ScopedTimer timer(outcome.analysis);
+          multigrid->build(matrix);
+        }
+        if (!iterate(matrix, multigrid->preconditioner(), b, x, outcome))
+          return false;
+        double slope;
+        x.Dot(b, &slope);
+        if (slope >= 0 || may_be_indefinite)
+          return true;
+        shift_more(matrix, attempt, shift_unit, outcome);
+      }
   }
 
 

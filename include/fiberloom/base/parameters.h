@@ -167,8 +167,9 @@ namespace fiberloom
     unsigned int line_search_from = 5;
     double       growth           = 1.3;
     unsigned int largest_cuts     = 8;
-    std::string  factor_precision = "automatic"; // automatic | double | single
-    bool         benchmark        = false;
+    std::string  linear_solver =
+      "automatic"; // automatic | double factor | single factor | multigrid
+    bool benchmark = false;
   };
 
   struct OutputParameters

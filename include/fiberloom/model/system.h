@@ -11,6 +11,7 @@
 #include <fiberloom/model/block_matrix.h>
 #include <fiberloom/model/motion.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -118,6 +119,11 @@ namespace fiberloom
      */
     Eigen::VectorXd
     gather(const std::vector<double> &owned_solution) const;
+
+    /** The owned increments that move all fibers and free bodies as one rigid
+     * body, from the reference placement. */
+    std::array<std::vector<double>, 6>
+    rigid_modes() const;
 
     /** How increments move fibers and bodies. */
     const Motion &

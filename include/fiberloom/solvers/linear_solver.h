@@ -5,7 +5,11 @@
 #define fiberloom_solvers_linear_solver_h
 
 #include <fiberloom/solvers/direct_factor.h>
+#include <fiberloom/solvers/multigrid.h>
 
+#include <Epetra_Vector.h>
+
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,20 +21,26 @@ namespace fiberloom
    * double precision. Only moments on free bodies make it unsymmetric. An
    * indefinite matrix gets a diagonal shift that grows until it is not, so that
    * the solution is a direction of descent.
+   *
+   * Multigrid stands in for the factor where asked for; it does not count
+   * negative pivots, so a solution that is no descent tells that the matrix is
+   * indefinite. Systems for which it does not converge get the factor.
    */
   class LinearSolver
   {
   public:
-    /** @p precision : automatic, single or double. */
-    LinearSolver(const BlockLayout &layout, const std::string &precision);
+    /** @p name : automatic, double factor, single factor or multigrid. */
+    LinearSolver(const BlockLayout &layout,
+                 const std::string &name,
+                 const RigidModes  &modes);
 
     struct Outcome
     {
       unsigned int iterations      = 0;
       unsigned int factorizations  = 0;
       double       shift           = 0;
-      int          negative_pivots = 0; // without shift; -1: it failed
-      double       analysis        = 0; // [s], as the next two
+      int          negative_pivots = 0; // without shift; -1: unknown
+      double       analysis = 0; // or coarsening [s], as the next two
       double       factorization   = 0;
       double       krylov          = 0;
     };
@@ -54,7 +64,16 @@ namespace fiberloom
     time_double_factorization(const BlockMatrix &matrix);
 
   private:
-    DirectFactor factor;
+    bool
+    solve_by_multigrid(BlockMatrix   &matrix,
+                       Epetra_Vector &b,
+                       const double   shift_unit,
+                       Epetra_Vector &x,
+                       const bool     may_be_indefinite,
+                       Outcome       &outcome);
+
+    DirectFactor               factor;
+    std::unique_ptr<Multigrid> multigrid; // or null
   };
 } // namespace fiberloom
 
