@@ -12,9 +12,6 @@ namespace fiberloom
 {
   namespace
   {
-    // A plane that passes a fiber's end by so many elements still cuts it.
-    constexpr double beyond_end = .05;
-
     constexpr unsigned int largest_iterations = 30;
     constexpr double       tolerance          = 1e-11; // on u
 
@@ -140,9 +137,7 @@ namespace fiberloom
           return {};
         const double next = std::clamp(u + std::clamp(step, -1., 1.), 0., end);
         if (std::abs(next - u) < tolerance)
-          // Still pushed against an end: the plane passes beyond the fiber.
-          return std::abs(step) < beyond_end ? std::optional<double>(next) :
-                                               std::nullopt;
+          return u + step; // beyond the end that it is still pushed against
         u = next;
       }
     return u;

@@ -334,6 +334,22 @@ namespace fiberloom
 
 
 
+  double
+  ContactGenerator::faced_part(const std::array<unsigned int, 2> &fibers,
+                               const double                       cut,
+                               const double width) const
+  {
+    const auto  &first = mesh.lines()[fibers[0]],
+                &second = mesh.lines()[fibers[1]];
+    const double faced = width * first.length / first.n_elements *
+                         second.n_elements / second.length;
+    return std::clamp(.5 + std::min(cut, second.n_elements - cut) / faced,
+                      0.,
+                      1.);
+  }
+
+
+
   unsigned int
   ContactGenerator::stations_in_cell(const ProximityZone &zone,
                                      const double         u,
@@ -342,8 +358,8 @@ namespace fiberloom
                                      const unsigned int   now) const
   {
     const auto cut = cut_second(zone, u, q);
-    if (!cut)
-      return 1;
+    if (!cut || *cut < 0 || *cut > mesh.lines()[zone.fibers[1]].n_elements)
+      return now;
     const auto &first  = mesh.lines()[zone.fibers[0]],
                &second = mesh.lines()[zone.fibers[1]];
     const double cosine =
@@ -408,15 +424,20 @@ namespace fiberloom
             const auto cut = cut_second(proximity, u, q);
             if (!cut)
               continue;
+            const double faced = faced_part(pair, *cut, cell / parts);
+            if (faced <= 0)
+              continue;
+            const double  end = mesh.lines()[pair[1]].n_elements;
+            const double  v   = std::clamp(*cut, 0., end);
             const Section first  = mesh.section(q, mesh.locate(pair[0], u));
-            const Section second = mesh.section(q, mesh.locate(pair[1], *cut));
+            const Section second = mesh.section(q, mesh.locate(pair[1], v));
             if ((second.center - first.center).norm() > reach)
               continue;
-            contacts.push_back(new_element(zone, {{u, *cut}}, state));
+            contacts.push_back(new_element(zone, {{u, v}}, state));
             contacts.back().length =
               std::abs(first.center_derivative.dot(
                 mean_direction(first.tangent(), second.tangent()))) *
-              cell / parts;
+              faced * cell / parts;
           }
       }
 

@@ -21,8 +21,9 @@ namespace fiberloom
 
 
 
-  BlockMatrix::BlockMatrix(const BlockLayout &layout)
+  BlockMatrix::BlockMatrix(const BlockLayout &layout, const double lever)
     : numbering(layout)
+    , lever(lever)
     , owned_map(
         layout.owned_dofs().make_trilinos_map(layout.communicator(), false))
   {}
@@ -119,7 +120,8 @@ namespace fiberloom
         const unsigned int n       = numbering.size(row);
         double            *entries = block(row, row);
         for (unsigned int i = 0; i < n; ++i)
-          entries[i * n + i] += value;
+          entries[i * n + i] +=
+            n == 6 && i >= 3 ? value * lever * lever : value;
       }
   }
 

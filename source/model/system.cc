@@ -115,7 +115,7 @@ namespace fiberloom
     , supports(supports)
     , numbering(mesh, supports.bodies.size(), comm)
     , movement(mesh, supports, numbering)
-    , system_matrix(numbering)
+    , system_matrix(numbering, rotation_lever(mesh))
     , stiffness(mesh.smallest_stiffness())
     , element_pattern(numbering.owned_blocks().size())
     , residual(numbering.owned_dofs().n_elements())

@@ -18,7 +18,10 @@ namespace fiberloom
   {
     // A zone is stiffened beyond this multiple of the largest penetration.
     constexpr double penetration_tolerance = 1.3;
-    constexpr double largest_stiffening    = 4;
+    constexpr double largest_stiffening    = 6;
+
+    // More than in proportion: the force grows with the stiffness.
+    constexpr double stiffening = 1.5;
 
     // Fibers deeper in each other than this multiple of it, and than twice of
     // what they were, have been thrown there by a step.
@@ -42,6 +45,10 @@ namespace fiberloom
     // damping, beyond the second one for less.
     constexpr double short_step = .3, long_step = .7;
     constexpr double damping_growth = 4, damping_decay = .5;
+
+    // Frozen normals, behind the tangent, can make steps swing to and fro: those
+    // that go back by more than this part of the last one are shortened.
+    constexpr double overshoot = .5;
 
     // Part of the damping in an iteration that is to end a creep.
     constexpr double leap_damping = .1;
@@ -214,7 +221,7 @@ namespace fiberloom
     for (unsigned int z = 0; z < penetration.size(); ++z)
       if (penetration[z] > penetration_tolerance * target)
         state.contact.zones[z].stiffness *=
-          std::min(penetration[z] / target, largest_stiffening);
+          std::min(stiffening * penetration[z] / target, largest_stiffening);
   }
 
 
@@ -292,7 +299,7 @@ namespace fiberloom
     const double          move      = system.motion().largest_move(increment);
     if (!std::isfinite(move))
       return Step::failed;
-    double       factor = longest_step;
+    double       factor = longest_step * relaxation(increment);
     const double limit  = parameters.solver.largest_move;
     if (limit > 0 && !contact_elements.empty() && factor * move > limit)
       factor = limit / move;
@@ -302,8 +309,20 @@ namespace fiberloom
         factor = search_along(state, problem, increment, factor);
       }
     last_factor = factor;
+    last_step   = factor * increment;
     system.motion().advance(state, increment, factor);
     return Step::moved;
+  }
+
+
+
+  double
+  Equilibrium::relaxation(const Eigen::VectorXd &increment) const
+  {
+    if (damping == 0 || last_step.size() != increment.size())
+      return 1;
+    const double back = -increment.dot(last_step) / last_step.squaredNorm();
+    return back > overshoot ? std::max(.5, 1 / (1 + back)) : 1;
   }
 
 
@@ -464,6 +483,7 @@ namespace fiberloom
                        const double       damping_over_Er)
   {
     damping = damping_over_Er;
+    last_step.resize(0);
     for (unsigned int i = 0; i < n; ++i)
       {
         generate(state, problem);
@@ -484,6 +504,7 @@ namespace fiberloom
                                  const double       least_damping)
   {
     damping = least_damping;
+    last_step.resize(0);
     std::vector<double> residuals;
     bool                leaps = false;
     for (unsigned int i = 0; i < largest_iterations; ++i)

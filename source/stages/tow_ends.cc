@@ -5,6 +5,8 @@
 
 #include <fiberloom/stages/tow_ends.h>
 
+#include <cmath>
+
 namespace fiberloom
 {
   namespace TowEnds
@@ -18,6 +20,21 @@ namespace fiberloom
       {
         const auto &line = mesh.lines()[fiber];
         return line.first_node + (side == 0 ? 0 : line.n_nodes() - 1);
+      }
+
+      /** Of one layer, an end could turn about the line of its centres without
+       * any resistance. */
+      bool
+      has_layers(const FiberMesh &mesh, const Tow &tow)
+      {
+        const auto height = [&](const unsigned int fiber) {
+          return mesh.initial()[9 * end_node(mesh, fiber, 0) + 2];
+        };
+        for (const unsigned int fiber : tow.fibers)
+          if (std::abs(height(fiber) - height(tow.fibers[0])) >
+              mesh.lines()[fiber].radius)
+            return true;
+        return false;
       }
 
       std::string
@@ -49,8 +66,11 @@ namespace fiberloom
             RigidBody body;
             body.name = family_name(tow) + "_" + std::to_string(tow.number) +
                         (side == 0 ? "_start" : "_end");
+            const bool is_warp = tow.family == Tow::Family::warp;
             if (axially_free)
-              body.prescribed[tow.family == Tow::Family::warp ? 0 : 1] = false;
+              body.prescribed[is_warp ? 0 : 1] = false;
+            if (has_layers(scene.mesh, tow))
+              body.prescribed[is_warp ? 4 : 3] = false; // slopes with the tow
             for (const unsigned int fiber : tow.fibers)
               supports.attachments.push_back(
                 attach(scene.mesh.initial(),

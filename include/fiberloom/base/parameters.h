@@ -123,7 +123,7 @@ namespace fiberloom
     std::string path = "automatic"; // automatic | nested
     double      step =
       0.5; // reduction of the allowed overlap per step over the radius
-    unsigned int fast_iterations_per_step = 3;
+    unsigned int fast_iterations_per_step = 2;
   };
 
   struct BiaxialParameters

@@ -48,7 +48,8 @@ namespace fiberloom
   /**
    * Where the plane across the intermediate geometry (normal: the mean of the
    * two tangents) through the section @p first cuts fiber @p fiber , from
-   * @p start ; nothing if that is beyond its ends.
+   * @p start . Beyond an end the fiber counts as going on straight; nothing
+   * where there is no such place.
    */
   std::optional<double>
   cut_by_plane(const FiberMesh   &mesh,

@@ -138,6 +138,17 @@ namespace fiberloom
                const DofVector     &q) const;
 
     /**
+     * Part of a station, @p width of the first fiber's elements long, that has
+     * the second fiber in front of it and not what lies beyond its ends;
+     * @p cut as cut_second() gives it. Without it, contacts would vanish with
+     * force on them where ends slide.
+     */
+    double
+    faced_part(const std::array<unsigned int, 2> &fibers,
+               const double                       cut,
+               const double                       width) const;
+
+    /**
      * A power of two, as many as a cell of @p cell around @p u needs: fibers
      * at an angle overlap on a length that shrinks with it. The number before,
      * @p now , stays where it is not much too large, so that stations do not

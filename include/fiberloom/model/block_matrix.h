@@ -23,7 +23,8 @@ namespace fiberloom
   class BlockMatrix : public Epetra_Operator
   {
   public:
-    explicit BlockMatrix(const BlockLayout &layout);
+    /** Rotations of bodies count as displacements at @p lever [mm]. */
+    BlockMatrix(const BlockLayout &layout, const double lever);
 
     /**
      * Sets the pattern: @p columns has, for each owned block, the sorted
@@ -36,7 +37,8 @@ namespace fiberloom
     void
     set_zero();
 
-    /** Adds @p value to every diagonal entry. */
+    /** Adds @p value to the diagonal entries of displacements, times the
+     * lever squared to those of rotations. */
     void
     add_to_diagonal(const double value);
 
@@ -142,6 +144,7 @@ namespace fiberloom
     covers(const std::vector<std::vector<unsigned int>> &columns) const;
 
     const BlockLayout &numbering;
+    const double       lever;
     Epetra_Map         owned_map;
     unsigned int       version = 0;
 

@@ -144,6 +144,10 @@ namespace fiberloom
                  const Eigen::VectorXd &increment,
                  const double           factor) const;
 
+    /** What is taken of a damped step that goes back on the one before. */
+    double
+    relaxation(const Eigen::VectorXd &increment) const;
+
     /** Whether a step has thrown fibers deep into each other. */
     bool
     is_lost() const;
@@ -194,6 +198,7 @@ namespace fiberloom
     double                      damping              = 0; // over E r
     double                      last_factor          = 1; // of a Newton step
     double                      last_residual        = 0; // before it
+    Eigen::VectorXd             last_step;
     double                      longest_step         = 1;
     double                      deepest_penetration  = 0; // over the radius
     int                         last_negative_pivots = 0;
