@@ -232,6 +232,34 @@ namespace
                  most);
   }
 
+  /**
+   * As a fiber's end slides along another one, contact goes with the length
+   * that they share; no station appears or vanishes with force on it.
+   */
+  void
+  check_ends(Checks &checks)
+  {
+    Model model({along_x(), straight_fiber({0, 0, 1.9}, {20, 0, 1.9}, 2)});
+    const double step    = .1;
+    double       largest = 0, before = 0, error = 0;
+    for (unsigned int i = 0; i <= 150; ++i)
+      {
+        double length = 0;
+        for (const ContactElement &contact : model.generate())
+          length += contact.length;
+        const double shared = 20 - i * step;
+        error               = std::max(error, std::abs(length - shared));
+        if (i > 0)
+          largest = std::max(largest, std::abs(length - before));
+        before = length;
+        model.shift(1, {step, 0, 0});
+      }
+    checks.below("shared length, over the step between",
+                 std::abs(largest / step - 1),
+                 1e-6);
+    checks.below("length of the contacts", error, 1e-9);
+  }
+
   /** The wavy fiber's point nearest to @p point by its centre line alone. */
   double
   nearest_on_line(const Model &model, const Vector3 &point, const double around)
@@ -550,6 +578,7 @@ main()
   check_parallel(checks);
   check_hysteresis(checks);
   check_stations_stay(checks);
+  check_ends(checks);
   check_kinks(checks);
   check_self_contact(checks);
   check_inheritance(checks);

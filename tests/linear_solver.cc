@@ -27,7 +27,7 @@ namespace
         Outcome           &outcome)
   {
     std::vector<double> solution;
-    LinearSolver solver(system.layout(), name, system.rigid_modes());
+    LinearSolver        solver(system.layout(), name, system.rigid_modes());
     outcome = solver.solve(
       system.matrix(), system.right_hand_side(), 0, shift_unit, solution);
     return system.gather(solution);
@@ -64,7 +64,9 @@ namespace
           solve(system, "single factor", unit, with_single);
         const Eigen::VectorXd coarsened =
           solve(system, "multigrid", unit, with_multigrid);
-        checks.below("remainder, multigrid", remainder(system, coarsened), 1e-8);
+        checks.below("remainder, multigrid",
+                     remainder(system, coarsened),
+                     1e-8);
         checks.equal("factorisations, multigrid",
                      with_multigrid.factorizations,
                      0);
@@ -79,6 +81,35 @@ namespace
         checks.above("iterations, single", with_single.iterations, 1);
         checks.below("iterations, single", with_single.iterations, 8);
       }
+  }
+
+  /** Patterns with hardly more than is needed are kept, with their analysis. */
+  void
+  check_pattern(Checks &checks)
+  {
+    SampleModel model(4);
+    System      system(model.mesh, model.supports, MPI_COMM_WORLD);
+    model.disturb(system);
+    model.add_contacts(.02, .001);
+    system.reinit(model.contacts);
+    const unsigned int all      = system.matrix().pattern_version();
+    const auto         contacts = model.contacts;
+    system.reinit(contacts);
+    checks.equal("versions for the same contacts",
+                 system.matrix().pattern_version() - all,
+                 0);
+    system.reinit({});
+    checks.equal("for none", system.matrix().pattern_version() - all, 1);
+    system.reinit(contacts);
+    checks.equal("for all again", system.matrix().pattern_version() - all, 2);
+    system.assemble(model.state, model.targets, model.contacts);
+    const DofVector       x = DofVector::Random(system.layout().n_dofs());
+    const Eigen::VectorXd y = multiply(system, x);
+    system.reinit(contacts);
+    system.assemble(model.state, model.targets, model.contacts);
+    checks.below("product with the pattern kept",
+                 relative_error(multiply(system, x), y),
+                 1e-14);
   }
 
   /** A clamped fiber, shortened by @p strain , under a small load across. */
@@ -114,7 +145,8 @@ namespace
         std::vector<ContactElement> none;
         system.assemble(state, targets, none);
         Outcome               outcome;
-        const Eigen::VectorXd step = solve(system, "double factor", 1e-7, outcome);
+        const Eigen::VectorXd step =
+          solve(system, "double factor", 1e-7, outcome);
         const Eigen::VectorXd down = system.gather(system.right_hand_side());
         const std::string     name =
           "compressed to " + std::to_string(part) + " times Euler's load";
@@ -139,5 +171,6 @@ main(int argc, char **argv)
     output.open("output");
   Checks checks(output);
   check_precision(checks);
+  check_pattern(checks);
   check_buckling(checks);
 }

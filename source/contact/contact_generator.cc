@@ -337,10 +337,10 @@ namespace fiberloom
   double
   ContactGenerator::faced_part(const std::array<unsigned int, 2> &fibers,
                                const double                       cut,
-                               const double width) const
+                               const double                       width) const
   {
-    const auto  &first = mesh.lines()[fibers[0]],
-                &second = mesh.lines()[fibers[1]];
+    const auto &first  = mesh.lines()[fibers[0]],
+               &second = mesh.lines()[fibers[1]];
     const double faced = width * first.length / first.n_elements *
                          second.n_elements / second.length;
     return std::clamp(.5 + std::min(cut, second.n_elements - cut) / faced,
@@ -427,8 +427,8 @@ namespace fiberloom
             const double faced = faced_part(pair, *cut, cell / parts);
             if (faced <= 0)
               continue;
-            const double  end = mesh.lines()[pair[1]].n_elements;
-            const double  v   = std::clamp(*cut, 0., end);
+            const double  end    = mesh.lines()[pair[1]].n_elements;
+            const double  v      = std::clamp(*cut, 0., end);
             const Section first  = mesh.section(q, mesh.locate(pair[0], u));
             const Section second = mesh.section(q, mesh.locate(pair[1], v));
             if ((second.center - first.center).norm() > reach)

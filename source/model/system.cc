@@ -573,12 +573,11 @@ namespace fiberloom
               for (unsigned int v = 0; v < 3; ++v)
                 change.segment<3>(3 * v) =
                   (v == 0 ? shift : Vector3::Zero().eval()) +
-                  turn.cross(
-                    mesh.reference().segment<3>(9 * block + 3 * v));
+                  turn.cross(mesh.reference().segment<3>(9 * block + 3 * v));
             for (unsigned int k = 0; k < change.size(); ++k)
               modes[mode].push_back(
                 movement.is_fixed(numbering.first_dof(block) + k) ? 0 :
-                                                                  change[k]);
+                                                                    change[k]);
           }
       }
     return modes;

@@ -20,6 +20,12 @@ namespace fiberloom
     constexpr double penetration_tolerance = 1.3;
     constexpr double largest_stiffening    = 6;
 
+    // The damped loop stiffens as soon as the residual is below this multiple
+    // of the tolerance, not in every iteration, and at most so many times.
+    constexpr double       stiffening_from     = 10;
+    constexpr unsigned int least_between       = 2;
+    constexpr unsigned int largest_stiffenings = 20;
+
     // More than in proportion: the force grows with the stiffness.
     constexpr double stiffening = 1.5;
 
@@ -46,8 +52,8 @@ namespace fiberloom
     constexpr double short_step = .3, long_step = .7;
     constexpr double damping_growth = 4, damping_decay = .5;
 
-    // Frozen normals, behind the tangent, can make steps swing to and fro: those
-    // that go back by more than this part of the last one are shortened.
+    // Frozen normals, behind the tangent, can make steps swing to and fro:
+    // those that go back by more than this part of the last one are shortened.
     constexpr double overshoot = .5;
 
     // Part of the damping in an iteration that is to end a creep.
@@ -79,7 +85,9 @@ namespace fiberloom
     {
       constexpr unsigned int window = 4;
       const unsigned int     n      = residuals.size();
-      return n > window && residuals[n - 1] < .1 &&
+      return n > window &&
+             *std::max_element(residuals.end() - window - 1, residuals.end()) <
+               .1 &&
              residuals[n - 1] > .8 * residuals[n - 1 - window];
     }
 
@@ -506,8 +514,17 @@ namespace fiberloom
     damping = least_damping;
     last_step.resize(0);
     std::vector<double> residuals;
-    bool                leaps = false;
-    for (unsigned int i = 0; i < largest_iterations; ++i)
+    bool                leaps       = false;
+    unsigned int        stiffenings = 0, since_stiffening = 0;
+    const auto          stiffen = [&]() {
+      adapt_stiffness(state);
+      ++stiffenings;
+      since_stiffening = 0;
+    };
+    // Each stiffening is progress, after which the count begins anew.
+    for (unsigned int i = 0; since_stiffening < largest_iterations &&
+                             stiffenings < largest_stiffenings;
+         ++i, ++since_stiffening)
       {
         longest_step = goes_round(residuals) ? .5 : 1;
         generate(state, problem);
@@ -525,7 +542,7 @@ namespace fiberloom
             case Step::converged:
               if (!needs_stiffening())
                 return true;
-              adapt_stiffness(state);
+              stiffen();
               break;
             case Step::failed:
               return false;
@@ -534,6 +551,9 @@ namespace fiberloom
                 damping *= damping_growth;
               else if (last_factor > long_step)
                 damping = std::max(damping * damping_decay, least_damping);
+              if (last_residual < stiffening_from * tolerance() &&
+                  since_stiffening >= least_between && needs_stiffening())
+                stiffen();
               break;
           }
       }

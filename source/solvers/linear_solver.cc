@@ -128,11 +128,11 @@ namespace fiberloom
   {
     /** Adds to @p outcome ; whether the true residual has become small. */
     bool
-    iterate(BlockMatrix             &matrix,
-            Epetra_Operator         &preconditioner,
-            Epetra_Vector           &b,
-            Epetra_Vector           &x,
-            LinearSolver::Outcome   &outcome)
+    iterate(BlockMatrix           &matrix,
+            Epetra_Operator       &preconditioner,
+            Epetra_Vector         &b,
+            Epetra_Vector         &x,
+            LinearSolver::Outcome &outcome)
     {
       ScopedTimer timer(outcome.krylov);
       double      norm;
@@ -196,9 +196,8 @@ namespace fiberloom
     const Epetra_Map &map = matrix.OperatorRangeMap();
     Epetra_Vector b(Copy, map, const_cast<double *>(right_hand_side.data()));
     Epetra_Vector x(View, map, solution.data());
-    if (multigrid &&
-        solve_by_multigrid(
-          matrix, b, shift_unit, x, may_be_indefinite, outcome))
+    if (multigrid && solve_by_multigrid(
+                       matrix, b, shift_unit, x, may_be_indefinite, outcome))
       return outcome;
 
     {

@@ -195,9 +195,9 @@ namespace fiberloom
     StageStatistics            &statistics;
     Watch                       watch;
     std::vector<ContactElement> contact_elements;
-    double                      damping              = 0; // over E r
-    double                      last_factor          = 1; // of a Newton step
-    double                      last_residual        = 0; // before it
+    double                      damping       = 0; // over E r
+    double                      last_factor   = 1; // of a Newton step
+    double                      last_residual = 0; // before it
     Eigen::VectorXd             last_step;
     double                      longest_step         = 1;
     double                      deepest_penetration  = 0; // over the radius

@@ -40,7 +40,7 @@ namespace fiberloom
       unsigned int factorizations  = 0;
       double       shift           = 0;
       int          negative_pivots = 0; // without shift; -1: unknown
-      double       analysis = 0; // or coarsening [s], as the next two
+      double       analysis        = 0; // or coarsening [s], as the next two
       double       factorization   = 0;
       double       krylov          = 0;
     };
