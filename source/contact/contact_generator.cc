@@ -317,11 +317,17 @@ namespace fiberloom
                                const double         u,
                                const DofVector     &q) const
   {
-    // The closest match on this piece is where the search starts.
+    // The search starts from the closest match on this piece or, just beyond
+    // the zone, on the next one.
     const ProximityZone::Match *nearest = nullptr;
+    const auto                  away = [u](const ProximityZone::Match &match) {
+      return std::abs(int(match.pieces[0]) - int(2 * u));
+    };
     for (const auto &match : zone.matches)
-      if (match.pieces[0] == static_cast<unsigned int>(2 * u) &&
-          (nearest == nullptr || match.distance < nearest->distance))
+      if (away(match) <= 1 &&
+          (nearest == nullptr ||
+           std::make_pair(away(match), match.distance) <
+             std::make_pair(away(*nearest), nearest->distance)))
         nearest = &match;
     if (nearest == nullptr)
       return {};
@@ -401,7 +407,12 @@ namespace fiberloom
     const auto         divided_before = std::move(state.zones[zone].divided);
     state.zones[zone].divided.clear();
 
-    for (int k = std::floor(range[0] / cell); k * cell < range[1]; ++k)
+    // A station just beyond the zone may stand for a length within it.
+    const int last =
+      parameters.stations_per_element * mesh.lines()[pair[0]].n_elements;
+    for (int k = std::max(0., std::floor(range[0] / cell - .5));
+         k < last && (k - .5) * cell < range[1];
+         ++k)
       {
         const auto         was = std::lower_bound(divided_before.begin(),
                                           divided_before.end(),
@@ -419,7 +430,7 @@ namespace fiberloom
         for (unsigned int part = 0; part < parts; ++part)
           {
             const double u = (k + (part + .5) / parts) * cell;
-            if (u < range[0] || u >= range[1])
+            if (u < range[0] - .5 * cell || u >= range[1] + .5 * cell)
               continue;
             const auto cut = cut_second(proximity, u, q);
             if (!cut)
@@ -431,13 +442,14 @@ namespace fiberloom
             const double  v      = std::clamp(*cut, 0., end);
             const Section first  = mesh.section(q, mesh.locate(pair[0], u));
             const Section second = mesh.section(q, mesh.locate(pair[1], v));
-            if ((second.center - first.center).norm() > reach)
+            const Vector3 along =
+              mean_direction(first.tangent(), second.tangent());
+            if (along.cross(second.center - first.center).norm() > reach)
               continue;
             contacts.push_back(new_element(zone, {{u, v}}, state));
             contacts.back().length =
-              std::abs(first.center_derivative.dot(
-                mean_direction(first.tangent(), second.tangent()))) *
-              faced * cell / parts;
+              std::abs(first.center_derivative.dot(along)) * faced * cell /
+              parts;
           }
       }
 

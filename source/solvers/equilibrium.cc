@@ -388,6 +388,22 @@ namespace fiberloom
   Equilibrium::solve(State &state, const Problem &problem)
   {
     extrapolate(state, problem);
+
+    // Of the many parallel fibers of a fabric some always need normals that
+    // follow every iteration: the nested loops are for when that fails.
+    const bool follows = generator.weaves() && !problem.rule.from_above &&
+                         !contact_elements.empty();
+    if (follows)
+      {
+        if (solve_in_one_loop(state,
+                              problem,
+                              parameters.solver.largest_loop_iterations,
+                              dampings().front()))
+          return true;
+        state = problem.before;
+        generate(state, problem);
+      }
+
     const Outcome nested = solve_nested(state, problem);
     if (nested == Outcome::converged)
       return true;
@@ -400,6 +416,8 @@ namespace fiberloom
     bool keep = nested == Outcome::slow && !is_lost();
     for (const double damping : dampings())
       {
+        if (follows && !keep && damping == dampings().front())
+          continue; // has failed from there
         if (!keep)
           state = problem.before;
         keep = false;

@@ -69,7 +69,7 @@ namespace fiberloom
             const bool is_warp = tow.family == Tow::Family::warp;
             if (axially_free)
               body.prescribed[is_warp ? 0 : 1] = false;
-            if (has_layers(scene.mesh, tow))
+            if (axially_free && has_layers(scene.mesh, tow))
               body.prescribed[is_warp ? 4 : 3] = false; // slopes with the tow
             for (const unsigned int fiber : tow.fibers)
               supports.attachments.push_back(
