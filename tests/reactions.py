@@ -49,6 +49,16 @@ def main():
     for name, of in (("forces", lambda row: vector(row, "force_*[N]")), ("moments", moment_about_origin)):
         worst = max(imbalance(rows, of) for rows in increments)
         check(f"{name} out of balance by {worst:.1e} of their sum", worst < 1e-3)
+    # Ends slope with their tows: nothing turns them about the axis across while a fabric is woven.
+    turning = {"weave": 0, "biaxial": 0}
+    for rows in increments:
+        largest = max(abs(c) for row in rows for c in vector(row, "moment_*[N.mm]"))
+        for row in rows:
+            if row["stage"] in turning and row["body"] in ENDS:
+                across = row[f"moment_{'y' if row['body'].startswith('warp') else 'x'}[N.mm]"]
+                turning[row["stage"]] = max(turning[row["stage"]], abs(across) / largest)
+    check(f"moment across the tow while weaving {turning['weave']:.1e} of the largest", turning["weave"] < 1e-3)
+    check(f"while pulling {turning['biaxial']:.1e}", turning["biaxial"] > 1e-2)
     compared = 0
     for row, bodies in zip(increments_of_curve, increments):
         for family, axis in (("warp", "x"), ("fill", "y")):
