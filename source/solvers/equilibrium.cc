@@ -44,8 +44,8 @@ namespace fiberloom
     constexpr double       slow_ratio  = .5;
     constexpr unsigned int slow_passes = 4;
 
-    // Iterations of the one loop without line search.
-    constexpr unsigned int one_loop_search_from = 2;
+    // As the allowed overlap shrinks, the energy has to rise at first.
+    constexpr unsigned int shrinking_search_from = 2;
 
     // Newton steps cut below the first part of their length ask for more
     // damping, beyond the second one for less.
@@ -516,7 +516,7 @@ namespace fiberloom
         if (newton_step(state,
                         problem,
                         tolerance(),
-                        i >= one_loop_search_from) != Step::moved)
+                        i >= shrinking_search_from) != Step::moved)
           return;
       }
   }
@@ -540,9 +540,9 @@ namespace fiberloom
       since_stiffening = 0;
     };
     // Each stiffening is progress, after which the count begins anew.
-    for (unsigned int i = 0; since_stiffening < largest_iterations &&
-                             stiffenings < largest_stiffenings;
-         ++i, ++since_stiffening)
+    for (; since_stiffening < largest_iterations &&
+           stiffenings < largest_stiffenings;
+         ++since_stiffening)
       {
         longest_step = goes_round(residuals) ? .5 : 1;
         generate(state, problem);
@@ -550,10 +550,9 @@ namespace fiberloom
         leaps                      = !leaps && creeps(residuals);
         if (leaps)
           damping *= leap_damping;
-        const Step step =
-          newton_step(state, problem, tolerance(), i >= one_loop_search_from);
-        longest_step = 1;
-        damping      = usual_damping;
+        const Step step = newton_step(state, problem, tolerance(), true);
+        longest_step    = 1;
+        damping         = usual_damping;
         residuals.push_back(last_residual);
         switch (step)
           {
