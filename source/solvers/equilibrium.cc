@@ -56,8 +56,9 @@ namespace fiberloom
     // those that go back by more than this part of the last one are shortened.
     constexpr double overshoot = .5;
 
-    // Part of the damping in an iteration that is to end a creep.
-    constexpr double leap_damping = .1;
+    // Steps that creep on in one direction are lengthened to where it leads,
+    // but by no more than this.
+    constexpr double longest_leap = 8;
 
     constexpr double       diverged         = 1e8;
     constexpr double       shift_over_Er    = 1e-4;
@@ -330,6 +331,8 @@ namespace fiberloom
     if (damping == 0 || last_step.size() != increment.size())
       return 1;
     const double back = -increment.dot(last_step) / last_step.squaredNorm();
+    if (leaps && back < 0)
+      return std::min(1 / std::max(1 + back, 1e-3), longest_leap);
     return back > overshoot ? std::max(.5, 1 / (1 + back)) : 1;
   }
 
@@ -509,6 +512,7 @@ namespace fiberloom
                        const double       damping_over_Er)
   {
     damping = damping_over_Er;
+    leaps   = false;
     last_step.resize(0);
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -532,7 +536,7 @@ namespace fiberloom
     damping = least_damping;
     last_step.resize(0);
     std::vector<double> residuals;
-    bool                leaps       = false;
+    leaps = false;
     unsigned int        stiffenings = 0, since_stiffening = 0;
     const auto          stiffen = [&]() {
       adapt_stiffness(state);
@@ -546,13 +550,9 @@ namespace fiberloom
       {
         longest_step = goes_round(residuals) ? .5 : 1;
         generate(state, problem);
-        const double usual_damping = damping;
-        leaps                      = !leaps && creeps(residuals);
-        if (leaps)
-          damping *= leap_damping;
+        leaps           = !leaps && creeps(residuals);
         const Step step = newton_step(state, problem, tolerance(), true);
         longest_step    = 1;
-        damping         = usual_damping;
         residuals.push_back(last_residual);
         switch (step)
           {

@@ -144,7 +144,8 @@ namespace fiberloom
                  const Eigen::VectorXd &increment,
                  const double           factor) const;
 
-    /** What is taken of a damped step that goes back on the one before. */
+    /** What is taken of a damped step that goes back on the one before, or
+     * that creeps on as that did. */
     double
     relaxation(const Eigen::VectorXd &increment) const;
 
@@ -200,6 +201,7 @@ namespace fiberloom
     double                      last_residual = 0; // before it
     Eigen::VectorXd             last_step;
     double                      longest_step         = 1;
+    bool                        leaps = false; // to where a creep leads
     double                      deepest_penetration  = 0; // over the radius
     int                         last_negative_pivots = 0;
   };
