@@ -27,7 +27,7 @@ namespace
         Outcome           &outcome)
   {
     std::vector<double> solution;
-    LinearSolver        solver(system.layout(), name, system.rigid_modes());
+    LinearSolver        solver(system, name);
     outcome = solver.solve(
       system.matrix(), system.right_hand_side(), 0, shift_unit, solution);
     return system.gather(solution);
@@ -80,6 +80,40 @@ namespace
         checks.below("iterations, double", with_double.iterations, 3);
         checks.above("iterations, single", with_single.iterations, 1);
         checks.below("iterations, single", with_single.iterations, 8);
+      }
+  }
+
+  /** Springs so stiff that only a factor in double precision knows of the
+   * fibers beside them. */
+  void
+  check_fallback(Checks &checks)
+  {
+    SampleModel model(4);
+    model.supports.bodies[1].prescribed.set();
+    System system(model.mesh, model.supports, MPI_COMM_WORLD);
+    model.disturb(system);
+    model.add_contacts(1e-7, .001);
+    for (ContactElement &contact : model.contacts)
+      contact.stiffness *= 1e11;
+    system.reinit(model.contacts);
+    system.assemble(model.state, model.targets, model.contacts);
+
+    std::vector<double> solution;
+    LinearSolver        solver(system, "single factor");
+    bool                first = true;
+    for (const char *time : {"the first time", "the second time"})
+      {
+        const Outcome outcome = solver.solve(
+          system.matrix(), system.right_hand_side(), 0, 1e-9, solution);
+        const std::string name = std::string(", ") + time;
+        checks.that("factorised in both precisions" + name + ": " +
+                      (first ? "yes" : "no"),
+                    (outcome.factorizations > 1) == first);
+        checks.equal("shift" + name, outcome.shift, 0);
+        checks.below("remainder" + name,
+                     remainder(system, system.gather(solution)),
+                     1e-8);
+        first = false;
       }
   }
 
@@ -171,6 +205,7 @@ main(int argc, char **argv)
     output.open("output");
   Checks checks(output);
   check_precision(checks);
+  check_fallback(checks);
   check_pattern(checks);
   check_buckling(checks);
 }

@@ -56,7 +56,7 @@ namespace
                     system.layout().owned_dofs().n_elements())};
 
     std::vector<double> solution;
-    LinearSolver(system.layout(), "double factor", system.rigid_modes())
+    LinearSolver(system, "double factor")
       .solve(system.matrix(),
              system.right_hand_side(),
              0,

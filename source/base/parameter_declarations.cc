@@ -487,7 +487,7 @@ namespace fiberloom
       catalogue.add("Largest loop iterations",
                     solver.largest_loop_iterations,
                     "Newton iterations where contact and normals are updated "
-                    "in every one.",
+                    "in every one, since penalties were last adapted.",
                     Allowed::whole(1, most_iterations));
       catalogue.add("Damping",
                     solver.damping,

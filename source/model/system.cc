@@ -541,7 +541,7 @@ namespace fiberloom
 
 
 
-  std::array<std::vector<double>, 6>
+  RigidModes
   System::rigid_modes() const
   {
     // Near enough to a body's reference point, which is part of the state.

@@ -57,8 +57,9 @@ namespace fiberloom
     constexpr double overshoot = .5;
 
     // Steps that creep on in one direction are lengthened to where it leads,
-    // but by no more than this.
-    constexpr double longest_leap = 8;
+    // but by no more than this, and to no longer than this part of the radius:
+    // fibers that are nearly at rest may have others ahead.
+    constexpr double longest_leap = 8, farthest_leap = .1;
 
     constexpr double       diverged         = 1e8;
     constexpr double       shift_over_Er    = 1e-4;
@@ -111,9 +112,7 @@ namespace fiberloom
     , parameters(parameters)
     , generator(generator)
     , system(system)
-    , linear_solver(system.layout(),
-                    parameters.solver.linear_solver,
-                    system.rigid_modes())
+    , linear_solver(system, parameters.solver.linear_solver)
     , statistics(statistics)
     , watch(std::move(watch))
   {}
@@ -332,7 +331,9 @@ namespace fiberloom
       return 1;
     const double back = -increment.dot(last_step) / last_step.squaredNorm();
     if (leaps && back < 0)
-      return std::min(1 / std::max(1 + back, 1e-3), longest_leap);
+      return std::clamp(farthest_leap / system.motion().largest_move(increment),
+                        1.,
+                        std::min(1 / std::max(1 + back, 1e-3), longest_leap));
     return back > overshoot ? std::max(.5, 1 / (1 + back)) : 1;
   }
 
@@ -392,16 +393,21 @@ namespace fiberloom
   {
     extrapolate(state, problem);
 
+    const auto one_loop = [&](const double damping) {
+      return solve_in_one_loop(state,
+                               problem,
+                               parameters.solver.largest_loop_iterations,
+                               damping);
+    };
+    const auto [usual_damping, strong_damping] = dampings();
+
     // Of the many parallel fibers of a fabric some always need normals that
     // follow every iteration: the nested loops are for when that fails.
     const bool follows = generator.weaves() && !problem.rule.from_above &&
                          !contact_elements.empty();
     if (follows)
       {
-        if (solve_in_one_loop(state,
-                              problem,
-                              parameters.solver.largest_loop_iterations,
-                              dampings().front()))
+        if (one_loop(usual_damping))
           return true;
         state = problem.before;
         generate(state, problem);
@@ -415,22 +421,17 @@ namespace fiberloom
 
     // Frozen normals let soft modes of a tow run away, or never settle. In the
     // damped loop normals follow every iteration: from where slow loops got,
-    // else from the last good state.
-    bool keep = nested == Outcome::slow && !is_lost();
-    for (const double damping : dampings())
+    // else from the last good state, unless it has failed from there.
+    const bool goes_on = nested == Outcome::slow && !is_lost();
+    if (goes_on || !follows)
       {
-        if (follows && !keep && damping == dampings().front())
-          continue; // has failed from there
-        if (!keep)
+        if (!goes_on)
           state = problem.before;
-        keep = false;
-        if (solve_in_one_loop(state,
-                              problem,
-                              parameters.solver.largest_loop_iterations,
-                              damping))
+        if (one_loop(usual_damping))
           return true;
       }
-    return false;
+    state = problem.before;
+    return one_loop(strong_damping);
   }
 
 
@@ -536,9 +537,9 @@ namespace fiberloom
     damping = least_damping;
     last_step.resize(0);
     std::vector<double> residuals;
-    leaps = false;
-    unsigned int        stiffenings = 0, since_stiffening = 0;
-    const auto          stiffen = [&]() {
+    leaps                    = false;
+    unsigned int stiffenings = 0, since_stiffening = 0;
+    const auto   stiffen = [&]() {
       adapt_stiffness(state);
       ++stiffenings;
       since_stiffening = 0;

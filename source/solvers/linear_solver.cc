@@ -23,6 +23,9 @@ namespace fiberloom
     constexpr double       shift_growth       = 8;
     constexpr unsigned int largest_shifts     = 12;
 
+    // Beyond so many it may be rounding that makes pivots negative.
+    constexpr unsigned int largest_single_shifts = 3;
+
     DirectFactor::Precision
     choose_precision(const std::string &name, const unsigned int n_dofs)
     {
@@ -114,13 +117,14 @@ namespace fiberloom
 
 
 
-  LinearSolver::LinearSolver(const BlockLayout &layout,
-                             const std::string &name,
-                             const RigidModes  &modes)
-    : factor(layout.communicator(), choose_precision(name, layout.n_dofs()))
-    , multigrid(name == "multigrid" ? std::make_unique<Multigrid>(modes) :
-                                      nullptr)
-  {}
+  LinearSolver::LinearSolver(const System &system, const std::string &name)
+    : communicator(system.layout().communicator())
+    , multigrid(name == "multigrid" ?
+                  std::make_unique<Multigrid>(system.rigid_modes()) :
+                  nullptr)
+  {
+    use(choose_precision(name, system.layout().n_dofs()));
+  }
 
 
 
@@ -200,9 +204,36 @@ namespace fiberloom
                        matrix, b, shift_unit, x, may_be_indefinite, outcome))
       return outcome;
 
+    const auto solve_by_current_factor = [&]() {
+      return solve_by_factor(
+        matrix, b, shift_unit, x, may_be_indefinite, outcome);
+    };
+    if (!solve_by_current_factor())
+      {
+        // From now on: what made it too coarse will be there again.
+        use(DirectFactor::Precision::double_precision);
+        matrix.add_to_diagonal(damping - outcome.shift);
+        outcome.shift = damping;
+        solve_by_current_factor();
+      }
+    return outcome;
+  }
+
+
+
+  bool
+  LinearSolver::solve_by_factor(BlockMatrix   &matrix,
+                                Epetra_Vector &b,
+                                const double   shift_unit,
+                                Epetra_Vector &x,
+                                const bool     may_be_indefinite,
+                                Outcome       &outcome)
+  {
+    const bool in_single =
+      precision == DirectFactor::Precision::single_precision;
     {
       ScopedTimer timer(outcome.analysis);
-      factor.analyse(matrix);
+      factor->analyse(matrix);
     }
     for (unsigned int attempt = 0;; ++attempt)
       {
@@ -210,17 +241,28 @@ namespace fiberloom
         int negative_pivots;
         {
           ScopedTimer timer(outcome.factorization);
-          negative_pivots = factor.factorize(matrix);
+          negative_pivots = factor->factorize(matrix);
         }
         if (attempt == 0)
           outcome.negative_pivots = negative_pivots;
         if (negative_pivots == 0 || (negative_pivots > 0 && may_be_indefinite))
           break;
+        if (in_single && attempt == largest_single_shifts)
+          return false;
         shift_more(matrix, attempt, shift_unit, outcome);
       }
-    FactorOperator preconditioner(factor, matrix);
-    iterate(matrix, preconditioner, b, x, outcome);
-    return outcome;
+    FactorOperator preconditioner(*factor, matrix);
+    return iterate(matrix, preconditioner, b, x, outcome) || !in_single;
+  }
+
+
+
+  void
+  LinearSolver::use(const DirectFactor::Precision chosen)
+  {
+    factor.reset(); // first, for its memory
+    precision = chosen;
+    factor    = std::make_unique<DirectFactor>(communicator, chosen);
   }
 
 

@@ -17,6 +17,9 @@
 
 namespace fiberloom
 {
+  /** Rigid motions, the owned parts: three translations, three rotations. */
+  using RigidModes = std::array<std::vector<double>, 6>;
+
   /**
    * The equations of one stage: fibers, contacts and rigid bodies, with the
    * nodes held by bodies eliminated. Each rank evaluates what touches the
@@ -122,7 +125,7 @@ namespace fiberloom
 
     /** The owned increments that move all fibers and free bodies as one rigid
      * body, from the reference placement. */
-    std::array<std::vector<double>, 6>
+    RigidModes
     rigid_modes() const;
 
     /** How increments move fibers and bodies. */

@@ -200,8 +200,8 @@ namespace fiberloom
     double                      last_factor   = 1; // of a Newton step
     double                      last_residual = 0; // before it
     Eigen::VectorXd             last_step;
-    double                      longest_step         = 1;
-    bool                        leaps = false; // to where a creep leads
+    double                      longest_step = 1;
+    bool                        leaps        = false; // to where a creep leads
     double                      deepest_penetration  = 0; // over the radius
     int                         last_negative_pivots = 0;
   };

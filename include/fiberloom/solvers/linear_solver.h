@@ -22,6 +22,9 @@ namespace fiberloom
    * indefinite matrix gets a diagonal shift that grows until it is not, so that
    * the solution is a direction of descent.
    *
+   * A factor in single precision around which the method does not converge, or
+   * that stays indefinite, gives way to one in double precision, for good.
+   *
    * Multigrid stands in for the factor where asked for; it does not count
    * negative pivots, so a solution that is no descent tells that the matrix is
    * indefinite. Systems for which it does not converge get the factor.
@@ -30,9 +33,7 @@ namespace fiberloom
   {
   public:
     /** @p name : automatic, double factor, single factor or multigrid. */
-    LinearSolver(const BlockLayout &layout,
-                 const std::string &name,
-                 const RigidModes  &modes);
+    LinearSolver(const System &system, const std::string &name);
 
     struct Outcome
     {
@@ -64,6 +65,18 @@ namespace fiberloom
     time_double_factorization(const BlockMatrix &matrix);
 
   private:
+    void
+    use(const DirectFactor::Precision chosen);
+
+    /** Adds to @p outcome ; false where the factor is too coarse. */
+    bool
+    solve_by_factor(BlockMatrix   &matrix,
+                    Epetra_Vector &b,
+                    const double   shift_unit,
+                    Epetra_Vector &x,
+                    const bool     may_be_indefinite,
+                    Outcome       &outcome);
+
     bool
     solve_by_multigrid(BlockMatrix   &matrix,
                        Epetra_Vector &b,
@@ -72,8 +85,10 @@ namespace fiberloom
                        const bool     may_be_indefinite,
                        Outcome       &outcome);
 
-    DirectFactor               factor;
-    std::unique_ptr<Multigrid> multigrid; // or null
+    MPI_Comm                      communicator;
+    DirectFactor::Precision       precision;
+    std::unique_ptr<DirectFactor> factor;
+    std::unique_ptr<Multigrid>    multigrid; // or null
   };
 } // namespace fiberloom
 

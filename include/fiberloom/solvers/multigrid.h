@@ -4,9 +4,8 @@
 #ifndef fiberloom_solvers_multigrid_h
 #define fiberloom_solvers_multigrid_h
 
-#include <fiberloom/model/block_matrix.h>
+#include <fiberloom/model/system.h>
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -19,9 +18,6 @@ namespace ML_Epetra
 
 namespace fiberloom
 {
-  /** Rigid motions, the owned parts: three translations, three rotations. */
-  using RigidModes = std::array<std::vector<double>, 6>;
-
   /**
    * Smoothed aggregation by Trilinos's ML: a preconditioner for systems whose
    * factor does not fit into memory. What the coarse levels have to represent,
