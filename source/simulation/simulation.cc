@@ -5,6 +5,8 @@
 #include <fiberloom/base/scoped_timer.h>
 #include <fiberloom/base/stop_request.h>
 
+#include <fiberloom/stages/coat.h>
+
 #include <fiberloom/simulation/simulation.h>
 #include <fiberloom/simulation/stage_run.h>
 
@@ -38,6 +40,7 @@ namespace fiberloom
     size.nodes          = mesh.n_nodes();
     size.fiber_elements = mesh.n_elements();
     size.fiber_dofs     = mesh.reference().size();
+    size.matrix_dofs    = 3 * n_layer_nodes(parameters.matrix);
     return size;
   }
 
@@ -51,13 +54,15 @@ namespace fiberloom
     // exponent is that of a nested dissection factor.
     const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
     const double       gigabytes =
-      .17 * ranks + .42 * std::pow(size.fiber_dofs / 55188., 1.13);
+      .17 * ranks +
+      .42 * std::pow((size.fiber_dofs + size.matrix_dofs) / 55188., 1.13);
     if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
       std::cout << "fibers          " << size.fibers << "\nnodes           "
                 << size.nodes << "\nfiber dofs      " << size.fiber_dofs
                 << "\nfiber elements  " << size.fiber_elements
-                << "\nmatrix dofs     0\nexpected memory "
-                << boost::format("%.1f GiB") % gigabytes << std::endl;
+                << "\nmatrix dofs     " << size.matrix_dofs
+                << "\nexpected memory " << boost::format("%.1f GiB") % gigabytes
+                << std::endl;
   }
 
 
@@ -74,6 +79,7 @@ namespace fiberloom
       read_checkpoint(command_line.restart, describe_model(fibers, mesh), comm);
     const State &before = restart.state;
     parameters.check_stage_order(before.stages_done);
+    check_matrix(parameters, before.matrix);
     const auto &stages = parameters.stages;
     const auto  next   = next_stage();
     state              = before;
@@ -192,8 +198,9 @@ namespace fiberloom
                      parameters.maximal_wall_time);
     while (state.stage < parameters.stages.size())
       {
-        const std::string &name = parameters.stages[state.stage];
-        const Scene        scene{parameters, fibers, mesh};
+        const std::string &name      = parameters.stages[state.stage];
+        const auto         composite = make_composite(name, state);
+        const Scene        scene{parameters, fibers, mesh, composite.get()};
         const auto         stage = create_stage(name, scene);
         StageStatistics    statistics;
         statistics.name      = name;
@@ -204,7 +211,7 @@ namespace fiberloom
         const unsigned int number = state.stage;
         try
           {
-            writer.begin_stage(name, state);
+            writer.begin_stage(name, state, composite.get());
             StageRun run(
               scene,
               *stage,
@@ -254,6 +261,18 @@ namespace fiberloom
 
 
 
+  std::unique_ptr<Composite>
+  Simulation::make_composite(const std::string &stage, State &state)
+  {
+    if (stage == "coat" && state.matrix.is_empty())
+      log.write(add_matrix(parameters, mesh, state));
+    if (state.matrix.is_empty())
+      return nullptr;
+    return std::make_unique<Composite>(state.matrix, mesh);
+  }
+
+
+
   std::vector<std::string>
   Simulation::stage_notes() const
   {
@@ -276,8 +295,13 @@ namespace fiberloom
       left_out += " friction and its history,";
     if (!generator.searches())
       left_out += " the search for contact,";
-    left_out += " matrix layers";
-    log.write("left out, as the scene does not need it:" + left_out);
+    if (!parameters.has_matrix())
+      left_out += " matrix layers, junctions,";
+    if (left_out.empty())
+      return;
+    left_out.back() = ' ';
+    log.write("left out, as the scene does not need it:" +
+              left_out.substr(0, left_out.size() - 1));
   }
 
 

@@ -18,7 +18,8 @@
 namespace fiberloom
 {
   /**
-   * The equations of one stage: fibers, contacts and rigid bodies, with the
+   * The equations of one stage: fibers, contacts, rigid bodies and, where there
+   * is one, matrix with its junctions, with the
    * nodes held by bodies eliminated. Each rank evaluates what touches the
    * blocks it owns, so nothing is sent while assembling.
    *
@@ -29,7 +30,11 @@ namespace fiberloom
   class System
   {
   public:
-    System(const FiberMesh &mesh, const Supports &supports, MPI_Comm comm);
+    /** @p composite : null where there is no matrix. */
+    System(const FiberMesh &mesh,
+           const Supports  &supports,
+           MPI_Comm         comm,
+           const Composite *composite = nullptr);
 
     /** Sets the pattern for elements and @p contacts . */
     void
@@ -53,7 +58,8 @@ namespace fiberloom
                       const Targets               &targets,
                       std::vector<ContactElement> &contacts);
 
-    /** Potential of fibers and contacts [N mm], summed over the ranks. */
+    /** Potential of fibers, contacts, matrix and junctions [N mm], summed over
+     * the ranks. */
     double
     energy(const State                       &state,
            const std::vector<ContactElement> &contacts) const;
@@ -86,7 +92,7 @@ namespace fiberloom
     double
     force_scale() const;
 
-    /** What each body has to exert on the fibers [N], [N mm]. */
+    /** What each body has to exert on fibers and matrix [N], [N mm]. */
     const std::vector<BodyVector> &
     reactions() const
     {
@@ -152,6 +158,20 @@ namespace fiberloom
                  const Targets               &targets,
                  std::vector<ContactElement> &contacts);
 
+    template <bool with_tangent>
+    void
+    add_matrix(const State &state);
+
+    template <bool with_tangent>
+    void
+    add_junctions(const State &state);
+
+    double
+    matrix_energy(const State &state) const;
+
+    void
+    set_element_pattern();
+
     template <bool with_tangent, class Group>
     void
     scatter(const State &state, const Group &group);
@@ -172,6 +192,7 @@ namespace fiberloom
 
     const FiberMesh &mesh;
     const Supports  &supports;
+    const Composite *composite; // or null
     BlockLayout      numbering;
     Motion           movement;
     BlockMatrix      system_matrix;

@@ -12,6 +12,7 @@
 
 #include <fiberloom/output/writer.h>
 
+#include <memory>
 #include <optional>
 
 namespace fiberloom
@@ -65,6 +66,11 @@ namespace fiberloom
 
     int
     run_stages(State &state, OutputWriter &writer);
+
+    /** The matrix of @p state , which stage @p stage gives it if it is to; null
+     * if there is none. */
+    std::unique_ptr<Composite>
+    make_composite(const std::string &stage, State &state);
 
     /** Creates each stage, whose checks of the input come with it. */
     std::vector<std::string>
