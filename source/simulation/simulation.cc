@@ -40,7 +40,6 @@ namespace fiberloom
     size.nodes          = mesh.n_nodes();
     size.fiber_elements = mesh.n_elements();
     size.fiber_dofs     = mesh.reference().size();
-    size.matrix_dofs    = 3 * n_layer_nodes(parameters.matrix);
     return size;
   }
 
@@ -49,7 +48,8 @@ namespace fiberloom
   void
   Simulation::print_check()
   {
-    const ModelSize size = model_size();
+    ModelSize size   = model_size();
+    size.matrix_dofs = 3 * n_layer_nodes(parameters.matrix);
     // Fitted to woven samples of 6,300 to 55,188 dofs, doc/performance.md; the
     // exponent is that of a nested dissection factor.
     const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(comm);

@@ -40,7 +40,8 @@ namespace fiberloom
   Supports
   Bend::supports(const DofVector &) const
   {
-    Supports supports = TowEnds::supports(scene, false, false);
+    Supports supports =
+      TowEnds::supports(scene, false, MatrixBorders::Grip::whole);
     // What a free body holds stays together, but goes where it likes; on the
     // matrix it would be a frame.
     const unsigned int n_tow_ends = 2 * scene.fibers.tows.size();

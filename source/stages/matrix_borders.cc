@@ -42,7 +42,7 @@ namespace fiberloom
 
 
     void
-    add(const Scene &scene, const bool across_only, Supports &supports)
+    add(const Scene &scene, const Grip grip, Supports &supports)
     {
       if (scene.composite == nullptr)
         return;
@@ -53,17 +53,18 @@ namespace fiberloom
           body.name = "matrix_" + std::string(border_names[border]);
           std::replace(body.name.begin(), body.name.end(), ' ', '_');
           std::bitset<3> held;
-          if (across_only)
+          if (grip == Grip::across)
             held.set(border / 2);
-          else
+          else if (grip == Grip::whole)
             held.set();
-          for (const unsigned int node : nodes(scene, border))
-            if (!is_held[node])
-              {
-                supports.attachments.push_back(
-                  attach(*scene.composite, node, supports.bodies.size(), held));
-                is_held[node] = true;
-              }
+          if (held.any())
+            for (const unsigned int node : nodes(scene, border))
+              if (!is_held[node])
+                {
+                  supports.attachments.push_back(attach(
+                    *scene.composite, node, supports.bodies.size(), held));
+                  is_held[node] = true;
+                }
           supports.bodies.push_back(body);
         }
     }

@@ -33,7 +33,7 @@ namespace fiberloom
   Supports
   Shear::supports(const DofVector &) const
   {
-    return TowEnds::supports(scene, false, false);
+    return TowEnds::supports(scene, false, MatrixBorders::Grip::whole);
   }
 
 

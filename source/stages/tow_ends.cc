@@ -57,9 +57,9 @@ namespace fiberloom
 
 
     Supports
-    supports(const Scene &scene,
-             const bool   axially_free,
-             const bool   across_only)
+    supports(const Scene              &scene,
+             const bool                axially_free,
+             const MatrixBorders::Grip grip)
     {
       const auto &tows = scene.fibers.tows;
       Supports    supports;
@@ -97,8 +97,9 @@ namespace fiberloom
                        Hold::axial));
             }
       supports.bodies.push_back(ground);
-      if (!axially_free)
-        MatrixBorders::add(scene, across_only, supports);
+      MatrixBorders::add(scene,
+                         axially_free ? MatrixBorders::Grip::none : grip,
+                         supports);
       return supports;
     }
 

@@ -18,6 +18,14 @@ namespace fiberloom
   {
     constexpr unsigned int n_bodies = 4;
 
+    /** What the bodies hold of their nodes. */
+    enum class Grip
+    {
+      none,
+      across, // the displacement across the border
+      whole
+    };
+
     /** The attachment of a node of the matrix, its displacements along the axes
      * of the sample held where @p held says so. */
     Attachment
@@ -28,12 +36,11 @@ namespace fiberloom
 
     /**
      * Adds the bodies, all dofs prescribed, to @p supports , and lets them hold
-     * their nodes: all displacements, or only the one across the border, if @p
-     * across_only . Edges between two borders go with those of x. None where
+     * their nodes. Edges between two borders go with those of x. None where
      * the scene has no matrix.
      */
     void
-    add(const Scene &scene, const bool across_only, Supports &supports);
+    add(const Scene &scene, const Grip grip, Supports &supports);
 
     /** Places them in the middle of their nodes, from body number @p first on.
      */
