@@ -119,11 +119,15 @@ namespace fiberloom
         cell->get_dof_indices(dofs);
         cell_nodes.emplace_back(dofs.begin(), dofs.end());
         const std::vector<double> volumes = at_points.get_JxW_values();
-        for (const double part : volumes)
-          volume += part;
-        elements.emplace_back(gradients(at_points, rule.size()),
-                              volumes,
-                              material);
+        const auto                slopes  = gradients(at_points, rule.size());
+        double                    sum     = 0;
+        for (unsigned int p = 0; p < rule.size(); ++p)
+          {
+            volume += volumes[p];
+            sum += volumes[p] * slopes[p].squaredNorm();
+          }
+        slope = std::max(slope, sum);
+        elements.emplace_back(slopes, volumes, material);
         node_gradients.push_back(gradients(at_nodes, nodes.size()));
       }
   }

@@ -171,6 +171,23 @@ namespace fiberloom
                         matrix.cell_size() / mesh.smallest_stiffness());
     }
 
+    constexpr double rounding_errors =
+      10 * std::numeric_limits<double>::epsilon();
+
+    /** What rounding of the positions makes of the forces in a cell, through
+     * the strain, or in a junction [N]. */
+    double
+    rounding_of_matrix(const Composite &composite)
+    {
+      const MatrixMesh &matrix = composite.matrix();
+      const double modulus  = matrix.law().stiffness(Matrix3::Identity())(0, 0);
+      const double size     = matrix.reference().lpNorm<Eigen::Infinity>();
+      double       rounding = modulus * size * matrix.largest_slope();
+      for (const JunctionElement &junction : composite.junctions())
+        rounding = std::max(rounding, junction.spring() * size);
+      return rounding_errors * rounding;
+    }
+
     double
     rotation_lever(const FiberMesh &mesh)
     {
@@ -206,10 +223,12 @@ namespace fiberloom
   {
     const double size = mesh.reference().lpNorm<Eigen::Infinity>();
     for (const auto &line : mesh.lines())
-      rounding = std::max(rounding,
-                          10 * std::numeric_limits<double>::epsilon() *
-                            line.young_modulus * M_PI * line.radius *
-                            line.radius * size * line.n_nodes() / line.length);
+      rounding =
+        std::max(rounding,
+                 rounding_errors * line.young_modulus * M_PI * line.radius *
+                   line.radius * size * line.n_nodes() / line.length);
+    if (composite != nullptr)
+      rounding = std::max(rounding, rounding_of_matrix(*composite));
 
     owned_map = std::make_unique<Epetra_Map>(
       numbering.owned_dofs().make_trilinos_map(comm, false));

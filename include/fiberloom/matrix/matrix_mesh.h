@@ -101,6 +101,15 @@ namespace fiberloom
     double
     cell_size() const;
 
+    /** Largest of the cells' sum over the quadrature points of the volume times
+     * the squared gradients of the shape functions: times a modulus, the
+     * stiffness of a cell [mm]. */
+    double
+    largest_slope() const
+    {
+      return slope;
+    }
+
     /** All nodes on @p border ; none where no layer reaches it. */
     std::vector<unsigned int>
     border_nodes(const MatrixBorder &border) const;
@@ -144,6 +153,7 @@ namespace fiberloom
     std::vector<std::vector<HexElement::Gradients>> node_gradients;
     std::unique_ptr<dealii::GridTools::Cache<3>>    search;
     double                                          volume = 0; // [mm^3]
+    double                                          slope  = 0; // [mm]
   };
 } // namespace fiberloom
 
