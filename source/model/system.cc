@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
-#include <fiberloom/contact/contact_law.h>
-
+#include <fiberloom/model/element_groups.h>
 #include <fiberloom/model/held_nodes.h>
 #include <fiberloom/model/system.h>
 
@@ -23,142 +22,6 @@ namespace fiberloom
 
   namespace
   {
-    /** A beam element's contribution: blocks cut from its own matrices. */
-    struct ElementGroup
-    {
-      static constexpr unsigned int n_nodes = 3;
-
-      std::array<unsigned int, n_nodes> nodes;
-      BeamElement::Vector               residual;
-      BeamElement::Matrix               tangent;
-
-      auto
-      force(const unsigned int a) const
-      {
-        return residual.segment<9>(9 * a);
-      }
-
-      auto
-      stiffness(const unsigned int a, const unsigned int b) const
-      {
-        return tangent.block<9, 9>(9 * a, 9 * b);
-      }
-    };
-
-    /** A contact's: the pair of sections spread over the nodes by weights. */
-    struct ContactGroup
-    {
-      static constexpr unsigned int n_nodes = 6;
-
-      std::array<unsigned int, n_nodes> nodes;
-      std::array<double, n_nodes>       weights;
-      SectionPair                       residual;
-      SectionPair2                      tangent;
-
-      explicit ContactGroup(const ContactElement &contact)
-      {
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            nodes[a]   = contact.first_nodes[a / 3] + a % 3;
-            weights[a] = contact.weights[a / 3][a % 3];
-          }
-      }
-
-      auto
-      force(const unsigned int a) const
-      {
-        return weights[a] * residual.segment<9>(9 * (a / 3));
-      }
-
-      auto
-      stiffness(const unsigned int a, const unsigned int b) const
-      {
-        return (weights[a] * weights[b]) *
-               tangent.block<9, 9>(9 * (a / 3), 9 * (b / 3));
-      }
-    };
-
-    /** A dead force on the centre of a node. */
-    struct NodeGroup
-    {
-      static constexpr unsigned int n_nodes = 1;
-
-      std::array<unsigned int, n_nodes> nodes;
-      Vector3                           outer_force;
-
-      Eigen::Matrix<double, 9, 1>
-      force(const unsigned int) const
-      {
-        Eigen::Matrix<double, 9, 1> force = Eigen::Matrix<double, 9, 1>::Zero();
-        force.head<3>()                   = -outer_force;
-        return force;
-      }
-
-      Eigen::Matrix<double, 9, 9>
-      stiffness(const unsigned int, const unsigned int) const
-      {
-        return Eigen::Matrix<double, 9, 9>::Zero();
-      }
-    };
-
-    /** A cell's or a junction's contribution: any number of nodes of fibers and
-     * of the matrix. */
-    struct MixedGroup
-    {
-      std::vector<unsigned int> nodes;
-      std::vector<unsigned int> offsets; // of their dofs
-      Eigen::VectorXd           residual;
-      Eigen::MatrixXd           tangent;
-
-      void
-      set_nodes(const std::vector<unsigned int> &node_numbers,
-                const BlockLayout               &layout)
-      {
-        nodes = node_numbers;
-        offsets.assign(1, 0);
-        for (const unsigned int node : nodes)
-          offsets.push_back(offsets.back() + layout.size(node));
-      }
-
-      unsigned int
-      size(const unsigned int a) const
-      {
-        return offsets[a + 1] - offsets[a];
-      }
-
-      auto
-      force(const unsigned int a) const
-      {
-        return residual.segment(offsets[a], size(a));
-      }
-
-      auto
-      stiffness(const unsigned int a, const unsigned int b) const
-      {
-        return tangent.block(offsets[a], offsets[b], size(a), size(b));
-      }
-    };
-
-    std::vector<unsigned int>
-    nodes_of_cell(const Composite &composite, const unsigned int cell)
-    {
-      std::vector<unsigned int> nodes = composite.matrix().nodes(cell);
-      for (unsigned int &node : nodes)
-        node += composite.first_node();
-      return nodes;
-    }
-
-    std::vector<unsigned int>
-    nodes_of_junction(const Composite       &composite,
-                      const JunctionElement &junction)
-    {
-      std::vector<unsigned int> nodes(junction.fiber_nodes().begin(),
-                                      junction.fiber_nodes().end());
-      for (const unsigned int node : junction.matrix_nodes())
-        nodes.push_back(composite.first_node() + node);
-      return nodes;
-    }
-
     /** Stiffness of the matrix's cells over that of the fibers, at most 1. */
     double
     matrix_weight(const Composite *composite, const FiberMesh &mesh)
@@ -526,29 +389,48 @@ namespace fiberloom
   void
   System::add_junctions(const State &state)
   {
-    MixedGroup group;
     for (unsigned int j = 0; j < composite->junctions().size(); ++j)
       {
-        const JunctionElement &junction = composite->junctions()[j];
-        group.set_nodes(nodes_of_junction(*composite, junction), numbering);
+        const JunctionGroup group(*composite, j, state.q, numbering);
         if (!touches_owned(group.nodes.data(), group.nodes.size()))
           continue;
-        const auto        &weights = junction.weights();
-        const Vector3      force   = composite->junction_force(j, state.q);
-        const unsigned int n       = weights.size();
-        group.residual.resize(3 * n);
-        for (unsigned int a = 0; a < n; ++a)
-          group.residual.segment<3>(3 * a) = -weights[a] * force;
+        const bool held = std::any_of(group.nodes.begin(),
+                                      group.nodes.end(),
+                                      [this](const unsigned int node) {
+                                        return movement.attachment(node) >= 0;
+                                      });
+        if (held)
+          scatter<with_tangent>(state, group);
+        else
+          scatter_diagonals<with_tangent>(group);
+      }
+  }
+
+
+
+  template <bool with_tangent>
+  void
+  System::scatter_diagonals(const JunctionGroup &group)
+  {
+    for (unsigned int a = 0; a < group.nodes.size(); ++a)
+      {
+        const unsigned int row   = group.nodes[a];
+        const int          local = numbering.local_block(row);
+        if (local < 0)
+          continue;
+        double *forces = residual.data() + numbering.local_first_dof(local);
+        for (unsigned int i = 0; i < group.size(a); ++i)
+          forces[i] += group.weight(a, i / 3) * -group.fiber_force[i % 3];
         if constexpr (with_tangent)
-          {
-            group.tangent.setZero(3 * n, 3 * n);
-            for (unsigned int a = 0; a < n; ++a)
-              for (unsigned int b = 0; b < n; ++b)
-                group.tangent.block<3, 3>(3 * a, 3 * b)
-                  .diagonal()
-                  .setConstant(junction.spring() * weights[a] * weights[b]);
-          }
-        scatter<with_tangent>(state, group);
+          for (unsigned int b = 0; b < group.nodes.size(); ++b)
+            {
+              double *entries = system_matrix.block(row, group.nodes[b]);
+              const unsigned int width = group.size(b);
+              for (unsigned int i = 0; i < group.size(a); ++i)
+                for (unsigned int v = 0; v < width / 3; ++v)
+                  entries[i * width + 3 * v + i % 3] +=
+                    group.stiffness_of(a, i / 3, b, v);
+            }
       }
   }
 

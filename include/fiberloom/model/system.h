@@ -17,6 +17,8 @@
 
 namespace fiberloom
 {
+  struct JunctionGroup;
+
   /**
    * The equations of one stage: fibers, contacts, rigid bodies and, where there
    * is one, matrix with its junctions, with the
@@ -165,6 +167,10 @@ namespace fiberloom
     template <bool with_tangent>
     void
     add_junctions(const State &state);
+
+    template <bool with_tangent>
+    void
+    scatter_diagonals(const JunctionGroup &group);
 
     double
     matrix_energy(const State &state) const;
