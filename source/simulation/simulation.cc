@@ -152,10 +152,16 @@ namespace fiberloom
   int
   Simulation::run()
   {
+    State state = initial_state();
+    // Where coating comes first, what is wrong with it shows at once.
+    std::vector<std::string> notes;
+    if (state.stage < parameters.stages.size() &&
+        parameters.stages[state.stage] == "coat" && state.matrix.is_empty())
+      notes.push_back(add_matrix(parameters, mesh, state));
+    for (const std::string &note : stage_notes(state))
+      notes.push_back(note);
     if (command_line.check)
       {
-        initial_state();
-        const auto notes = stage_notes();
         print_check();
         if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
           for (const std::string &note : notes)
@@ -163,10 +169,7 @@ namespace fiberloom
         return 0;
       }
 
-    State state        = initial_state();
     state.scene_stages = parameters.stages;
-    const auto notes   = stage_notes();
-
     OutputWriter writer(
       parameters, fibers, mesh, model_size(), comm, output_seconds);
     log.open(parameters.output_directory, continues);
@@ -274,12 +277,16 @@ namespace fiberloom
 
 
   std::vector<std::string>
-  Simulation::stage_notes() const
+  Simulation::stage_notes(const State &state) const
   {
+    std::unique_ptr<Composite> composite;
+    if (!state.matrix.is_empty())
+      composite = std::make_unique<Composite>(state.matrix, mesh);
     std::vector<std::string> notes;
     for (const std::string &name : parameters.stages)
       for (const std::string &note :
-           create_stage(name, {parameters, fibers, mesh})->notes())
+           create_stage(name, {parameters, fibers, mesh, composite.get()})
+             ->notes())
         if (std::find(notes.begin(), notes.end(), note) == notes.end())
           notes.push_back(note);
     return notes;

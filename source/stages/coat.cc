@@ -11,6 +11,14 @@
 
 namespace fiberloom
 {
+  namespace
+  {
+    // Of the particles on the woven surface; fewer make no composite.
+    constexpr double least_part_inside = .15;
+  } // namespace
+
+
+
   Supports
   Coat::supports(const DofVector &start) const
   {
@@ -75,13 +83,14 @@ namespace fiberloom
                                            matrix.poisson_ratio));
     FoundJunctions   found = find_junctions(wanted, mesh, hexes, state.q);
     const auto       n     = found.junctions.size();
-    if (n == 0 && found.n_outside > 0)
+    if (n < least_part_inside * (n + found.n_outside))
       throw InputError(
         parameters.where("Matrix/Cells along x") +
-        ": the mesh is too coarse to hold a fiber, none of " +
-        std::to_string(found.n_outside) +
-        " particles on the surface lies in a cell; allowed: more cells, or a "
-        "larger Overlap");
+        ": the mesh is too coarse to hold the fibers, of " +
+        std::to_string(n + found.n_outside) +
+        " particles on the surface only " + std::to_string(n) +
+        " lie in a cell; allowed: more cells along x and y, or a larger "
+        "Overlap");
     if (n == 0)
       throw InputError(parameters.where("Matrix/Layers") +
                        ": no fiber is in reach of the layers; allowed: layers "

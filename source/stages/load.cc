@@ -130,6 +130,8 @@ namespace fiberloom
         drives.emplace_back(parameters);
         Drive &drive = drives.back();
         find_nodes(drive);
+        if (scene.composite != nullptr)
+          matrix_nodes(drive); // throws where there are none
         drive.direction = main_direction(drive.translation, end);
         if (drive.direction.isZero(0))
           drive.direction = main_direction(drive.force, end);

@@ -74,7 +74,7 @@ namespace fiberloom
 
     /** Creates each stage, whose checks of the input come with it. */
     std::vector<std::string>
-    stage_notes() const;
+    stage_notes(const State &state) const;
 
     void
     log_what_is_left_out();
