@@ -517,15 +517,18 @@ namespace fiberloom
                     solver.largest_cuts,
                     "How many times in a row an increment may be halved.",
                     Allowed::whole(0, 50));
-      catalogue.add("Linear solver",
-                    solver.linear_solver,
-                    "What preconditions the Krylov method: a factor of the "
-                    "tangent in double precision, in single precision (half "
-                    "the memory), or multigrid for what has no room for a "
-                    "factor. automatic: a factor, from 20,000 dofs on in "
-                    "single precision.",
-                    Allowed::one_of(
-                      "automatic|double factor|single factor|multigrid"));
+      catalogue.add(
+        "Linear solver",
+        solver.linear_solver,
+        "What preconditions the Krylov method: a factor of the "
+        "tangent in double precision, in single precision (half "
+        "the memory), blocks, in a composite a factor of the "
+        "fibers and one of the matrix, or multigrid for what has "
+        "no room for a "
+        "factor. automatic: a factor, from 20,000 dofs on in "
+        "single precision.",
+        Allowed::one_of(
+          "automatic|double factor|single factor|blocks|multigrid"));
       catalogue.add("Benchmark",
                     solver.benchmark,
                     "Times one symmetric factorisation in double precision per "

@@ -27,8 +27,8 @@ namespace fiberloom
     choose_precision(const std::string &name, const unsigned int n_dofs)
     {
       const bool in_double =
-        name == "double factor" ||
-        (name == "automatic" && n_dofs < single_precision_from);
+        name == "double factor" || ((name == "automatic" || name == "blocks") &&
+                                    n_dofs < single_precision_from);
       return in_double ? DirectFactor::Precision::double_precision :
                          DirectFactor::Precision::single_precision;
     }
@@ -118,6 +118,10 @@ namespace fiberloom
                              const std::string &name,
                              const RigidModes  &modes)
     : factor(layout.communicator(), choose_precision(name, layout.n_dofs()))
+    , blocks(name == "blocks" ? std::make_unique<BlockPreconditioner>(
+                                  layout.communicator(),
+                                  choose_precision(name, layout.n_dofs())) :
+                                nullptr)
     , multigrid(name == "multigrid" ? std::make_unique<Multigrid>(modes) :
                                       nullptr)
   {}
@@ -199,6 +203,8 @@ namespace fiberloom
     if (multigrid && solve_by_multigrid(
                        matrix, b, shift_unit, x, may_be_indefinite, outcome))
       return outcome;
+    if (blocks && solve_by_blocks(matrix, b, x, outcome))
+      return outcome;
 
     {
       ScopedTimer timer(outcome.analysis);
@@ -248,6 +254,32 @@ namespace fiberloom
           return true;
         shift_more(matrix, attempt, shift_unit, outcome);
       }
+  }
+
+
+
+  bool
+  LinearSolver::solve_by_blocks(BlockMatrix   &matrix,
+                                Epetra_Vector &b,
+                                Epetra_Vector &x,
+                                Outcome       &outcome)
+  {
+    {
+      ScopedTimer timer(outcome.analysis);
+      blocks->analyse(matrix);
+    }
+    ++outcome.factorizations;
+    {
+      ScopedTimer timer(outcome.factorization);
+      outcome.negative_pivots = blocks->factorize(matrix);
+    }
+    if (outcome.negative_pivots != 0 ||
+        !iterate(matrix, *blocks, b, x, outcome))
+      return false;
+    // Both blocks may be definite where the whole is not.
+    double slope;
+    x.Dot(b, &slope);
+    return slope >= 0;
   }
 
 

@@ -217,7 +217,8 @@ namespace fiberloom
     double       growth           = 1.3;
     unsigned int largest_cuts     = 8;
     std::string  linear_solver =
-      "automatic"; // automatic | double factor | single factor | multigrid
+      "automatic"; // automatic | double factor | single factor | blocks |
+                   // multigrid
     bool benchmark = false;
   };
 

@@ -4,6 +4,7 @@
 #ifndef fiberloom_solvers_linear_solver_h
 #define fiberloom_solvers_linear_solver_h
 
+#include <fiberloom/solvers/block_preconditioner.h>
 #include <fiberloom/solvers/direct_factor.h>
 #include <fiberloom/solvers/multigrid.h>
 
@@ -22,6 +23,9 @@ namespace fiberloom
    * indefinite matrix gets a diagonal shift that grows until it is not, so that
    * the solution is a direction of descent.
    *
+   * For a composite, blocks asks for a factor of the fibers and one of the
+   * matrix in place of that of both.
+   *
    * Multigrid stands in for the factor where asked for; it does not count
    * negative pivots, so a solution that is no descent tells that the matrix is
    * indefinite. Systems for which it does not converge get the factor.
@@ -29,7 +33,8 @@ namespace fiberloom
   class LinearSolver
   {
   public:
-    /** @p name : automatic, double factor, single factor or multigrid. */
+    /** @p name : automatic, double factor, single factor, blocks or multigrid.
+     */
     LinearSolver(const BlockLayout &layout,
                  const std::string &name,
                  const RigidModes  &modes);
@@ -72,8 +77,17 @@ namespace fiberloom
                        const bool     may_be_indefinite,
                        Outcome       &outcome);
 
-    DirectFactor               factor;
-    std::unique_ptr<Multigrid> multigrid; // or null
+    /** Whether that came to its end with a descent, or the matrix may be
+     * indefinite. */
+    bool
+    solve_by_blocks(BlockMatrix   &matrix,
+                    Epetra_Vector &b,
+                    Epetra_Vector &x,
+                    Outcome       &outcome);
+
+    DirectFactor                         factor;
+    std::unique_ptr<BlockPreconditioner> blocks;    // or null
+    std::unique_ptr<Multigrid>           multigrid; // or null
   };
 } // namespace fiberloom
 
