@@ -72,6 +72,7 @@ check_files()
   const std::string warp         = "subsection Fabric\nsubsection Warp\n",
                     fill         = "subsection Fabric\nsubsection Fill\n",
                     ends         = "\nend\nend\n";
+  const std::string       matrix = "subsection Matrix\nset Layers = both\n";
   const std::string       drive  = "set Stages = load\nset Drives = d\n"
                                    "subsection Fibers\n"
                                    "set Polylines = 0 0 0, 1 0 0\nend\n"
@@ -196,6 +197,25 @@ check_files()
       {"line 8", "Force", "z is not free"}},
      {drive + "set Ends = 0 end\nset Free = rx\nset Rotation = t; 0; 0\nend\n",
       {"line 9", "Rotation", "rx is free"}},
+     {"set Stages = weave, coat\n", {"line 1", "Stages", "Matrix/Layers"}},
+     {matrix + "set Young modulus = 0\nend\n",
+      {"line 3", "Matrix/Young modulus", "above 0"}},
+     {matrix + "set Poisson ratio = 0.5\nend\n",
+      {"line 3", "Matrix/Poisson ratio", "below 0.5"}},
+     {matrix + "set Overlap = 0.05\nset Thickness = 0.04\nend\n",
+      {"line 4", "Matrix/Thickness", "overlap", "0.05"}},
+     {matrix + "set Degree = 3\nend\n", {"line 3", "Matrix/Degree"}},
+     {matrix + "set Law = rubber\nend\n", {"line 3", "Matrix/Law", "neo-Hooke"}},
+     {drive + "set Matrix borders = x start\nend\n",
+      {"line 7", "Matrix borders", "no matrix"}},
+     {drive + "set Matrix borders = left\nend\n",
+      {"line 7", "no border left", "x start"}},
+     {drive + "set Ends = 0 end\nset Matrix held = u\nend\n",
+      {"line 8", "Matrix held", "u cannot"}},
+     {"subsection Shear\nset Largest angle = 0\nend\n",
+      {"line 2", "Shear/Largest angle"}},
+     {"subsection Bending\nset Direction = up\nend\n",
+      {"line 2", "Bending/Direction", "warp"}},
      {lines + "0 0 0\nend\n", {line_8, "1 points"}},
      {lines + "0 0 0, 1 0\nend\n", {line_8, "three numbers"}},
      {lines + "0 0 0, 1 0 nan\nend\n", {line_8, "three numbers"}},

@@ -180,12 +180,59 @@ namespace fiberloom
                          "blanks between");
     }
 
+    void
+    check_borders(const DriveParameters &drive, const Parameters &parameters)
+    {
+      const std::string     section = "Drive " + drive.name + "/";
+      std::set<std::string> names   = {
+          "x start", "x end", "y start", "y end", "bottom", "top"};
+      for (const std::string &name :
+           dealii::Utilities::split_string_list(drive.matrix_borders, ','))
+        if (names.count(name) == 0)
+          throw InputError(parameters.where(section + "Matrix borders") +
+                           ": there is no border " + name +
+                           "; allowed: x start, x end, y start, y end, bottom, "
+                           "top with commas between");
+      if (!drive.matrix_borders.empty() && !parameters.has_matrix())
+        throw InputError(parameters.where(section + "Matrix borders") +
+                         ": the scene has no matrix; allowed: another "
+                         "Matrix/Layers than none");
+      std::istringstream held(drive.matrix_held);
+      for (std::string word; held >> word;)
+        if (word != "x" && word != "y" && word != "z")
+          throw InputError(parameters.where(section + "Matrix held") + ": " +
+                           word +
+                           " cannot be held; allowed: x, y, z with blanks "
+                           "between");
+    }
+
+    void
+    check_matrix_parameters(const Parameters &parameters)
+    {
+      const MatrixParameters &matrix = parameters.matrix;
+      if (matrix.thickness <= matrix.overlap && parameters.has_matrix() &&
+          matrix.layers != "filled")
+        throw InputError(parameters.where("Matrix/Thickness") + " = " +
+                         exact_text(matrix.thickness) +
+                         ": a layer is not thicker than the overlap, " +
+                         exact_text(matrix.overlap) +
+                         "; allowed: more than Matrix/Overlap");
+      const bool coats =
+        std::count(parameters.stages.begin(), parameters.stages.end(), "coat") >
+        0;
+      if (coats && !parameters.has_matrix())
+        throw InputError(parameters.where("Stages") +
+                         ": coat has nothing to do, as Matrix/Layers is none; "
+                         "allowed: upper, lower, both or filled there");
+    }
+
     /** Motion where it is free or load where it is not would be ignored. */
     void
     check_drive(const DriveParameters &drive, const Parameters &parameters)
     {
       const std::string section = "Drive " + drive.name + "/";
-      if (drive.ends.empty())
+      check_borders(drive, parameters);
+      if (drive.ends.empty() && drive.matrix_borders.empty())
         throw InputError(parameters.where(section + "Ends") +
                          ": no end is named; allowed: a list such as 0 start, "
                          "3-5 end, all at 0.5");
@@ -269,8 +316,31 @@ namespace fiberloom
       fibers.file = std::filesystem::absolute(
                       std::filesystem::path(source).parent_path() / fibers.file)
                       .lexically_normal();
+    resolve_matrix();
     biaxial.first_step = std::min(biaxial.first_step, biaxial.largest_step);
     load.first_step    = std::min(load.first_step, load.largest_step);
+  }
+
+  void
+  Parameters::resolve_matrix()
+  {
+    double radius =
+      std::max(fabric.warp.fiber_radius, fabric.fill.fiber_radius);
+    double       element = std::min(fabric.warp.element_length(fabric.fill),
+                              fabric.fill.element_length(fabric.warp));
+    unsigned int cells_along_x = 2 * fabric.fill.tows,
+                 cells_along_y = 2 * fabric.warp.tows;
+    if (!is_fabric())
+      {
+        radius  = *std::max_element(fibers.radius.begin(), fibers.radius.end());
+        element = 4 * radius;
+        cells_along_x = cells_along_y = 8;
+      }
+    replace_zero(matrix.overlap, radius);
+    replace_zero(matrix.thickness, 6 * radius);
+    replace_zero(matrix.junction_spacing, .5 * element);
+    replace_zero(matrix.cells_along_x, cells_along_x);
+    replace_zero(matrix.cells_along_y, cells_along_y);
   }
 
   void
@@ -281,18 +351,19 @@ namespace fiberloom
                        " is empty; allowed: a directory");
     if (stages.empty())
       throw InputError(where("Stages") +
-                       " is empty; allowed: weave, relax, biaxial, load");
+                       " is empty; allowed: weave, relax, coat, biaxial, "
+                       "shear, bend, load");
     if (const auto sources = fibers.sources(); sources.size() > 1)
       throw InputError(where("Fibers/" + sources[1]) + ": Fibers/" +
                        sources[0] + " is given, too; allowed: one of them");
     for (const std::string &stage : stages)
       {
-        if (!is_fabric() && stage != "load")
+        if (!is_fabric() && stage != "load" && stage != "coat")
           throw InputError(where("Stages") + ": " + stage +
                            " needs a fabric, but Fibers/" +
                            fibers.sources().front() +
                            " is given; "
-                           "allowed: load");
+                           "allowed: coat, load");
         if (stage == "load" && drives.empty())
           throw InputError(where("Stages") +
                            ": load needs drives; name them in Drives");
@@ -300,6 +371,7 @@ namespace fiberloom
     for (const DriveParameters &drive : drives)
       check_drive(drive, *this);
     check_distributed_loads(*this);
+    check_matrix_parameters(*this);
 
     check_layers(fabric.warp, where("Fabric/Warp/Layers"));
     check_layers(fabric.fill, where("Fabric/Fill/Layers"));
@@ -309,9 +381,6 @@ namespace fiberloom
   Parameters::check_stage_order(
     const std::vector<std::string> &stages_done) const
   {
-    if (!is_fabric())
-      return;
-
     const bool goes_on =
       stages_done.size() <= stages.size() &&
       std::equal(stages_done.begin(), stages_done.end(), stages.begin());
@@ -320,6 +389,11 @@ namespace fiberloom
       sequence = stages_done;
     sequence.insert(sequence.end(), stages.begin(), stages.end());
 
+    if (std::count(sequence.begin(), sequence.end(), "coat") > 1)
+      throw InputError(where("Stages") + ": there is a matrix already; "
+                                         "allowed: coat only once");
+    if (!is_fabric())
+      return;
     for (std::size_t i = 0; i < sequence.size(); ++i)
       if ((sequence[i] == "weave") != (i == 0))
         throw InputError(where("Stages") + ": " +

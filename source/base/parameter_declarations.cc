@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/base/composite_declarations.h>
 #include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
@@ -272,6 +273,15 @@ namespace fiberloom
                     "rx is the rotation about x.",
                     Allowed::text_like("any of x y z rx ry rz with blanks "
                                        "between"));
+      catalogue.add("Matrix borders",
+                    drive.matrix_borders,
+                    "Borders of the matrix that the body holds, with commas: x "
+                    "start, x end, y start, y end, bottom, top.",
+                    Allowed::text_like("such as x start, top"));
+      catalogue.add("Matrix held",
+                    drive.matrix_held,
+                    "Displacements that it holds there.",
+                    Allowed::text_like("some of x y z with blanks between"));
       catalogue.add("Center",
                     drive.center,
                     "Reference point of the body at the start of the stage "
@@ -507,15 +517,18 @@ namespace fiberloom
                     solver.largest_cuts,
                     "How many times in a row an increment may be halved.",
                     Allowed::whole(0, 50));
-      catalogue.add("Linear solver",
-                    solver.linear_solver,
-                    "What preconditions the Krylov method: a factor of the "
-                    "tangent in double precision, in single precision (half "
-                    "the memory), or multigrid for what has no room for a "
-                    "factor. automatic: a factor, from 20,000 dofs on in "
-                    "single precision.",
-                    Allowed::one_of(
-                      "automatic|double factor|single factor|multigrid"));
+      catalogue.add(
+        "Linear solver",
+        solver.linear_solver,
+        "What preconditions the Krylov method: a factor of the "
+        "tangent in double precision, in single precision (half "
+        "the memory), blocks, in a composite a factor of the "
+        "fibers and one of the matrix, or multigrid for what has "
+        "no room for a "
+        "factor. automatic: a factor, from 20,000 dofs on in "
+        "single precision.",
+        Allowed::one_of(
+          "automatic|double factor|single factor|blocks|multigrid"));
       catalogue.add("Benchmark",
                     solver.benchmark,
                     "Times one symmetric factorisation in double precision per "
@@ -576,9 +589,12 @@ namespace fiberloom
       "Stages",
       stages,
       "What is done, in this order: weave moves the tows apart, "
-      "relax lets the fabric come to rest, biaxial pulls it in both "
-      "directions, load moves and loads the drives.",
-      Allowed::list_of(Allowed::one_of("weave|relax|biaxial|load")));
+      "relax lets the fabric come to rest, coat adds layers of matrix, biaxial "
+      "pulls in both directions, shear makes a frame of the borders and tilts "
+      "it, bend turns two borders against each other, load moves and loads the "
+      "drives.",
+      Allowed::list_of(
+        Allowed::one_of("weave|relax|coat|biaxial|shear|bend|load")));
     catalogue.add("Accuracy",
                   accuracy,
                   "Sets together the automatic values of elements per fiber, "
@@ -600,7 +616,10 @@ namespace fiberloom
       declare_drive(catalogue, drive);
     declare_contact(catalogue, contact);
     declare_weaving(catalogue, weaving);
+    declare_matrix(catalogue, matrix);
     declare_biaxial(catalogue, biaxial);
+    declare_shear(catalogue, shear);
+    declare_bend(catalogue, bend);
     declare_load(catalogue, load);
     declare_solver(catalogue, solver);
     declare_output(catalogue, output);

@@ -14,14 +14,19 @@ namespace fiberloom
   namespace
   {
     std::vector<unsigned int>
-    nodes_along_curve(const FiberMesh &mesh)
+    nodes_along_curve(const FiberMesh       &mesh,
+                      const Eigen::VectorXd &matrix_nodes)
     {
       std::vector<dealii::Point<3>> points;
-      points.reserve(mesh.n_nodes());
+      points.reserve(mesh.n_nodes() + matrix_nodes.size() / 3);
       for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
         points.emplace_back(mesh.initial()[9 * n],
                             mesh.initial()[9 * n + 1],
                             mesh.initial()[9 * n + 2]);
+      for (Eigen::Index i = 0; i < matrix_nodes.size(); i += 3)
+        points.emplace_back(matrix_nodes[i],
+                            matrix_nodes[i + 1],
+                            matrix_nodes[i + 2]);
       const auto keys =
         dealii::Utilities::inverse_Hilbert_space_filling_curve(points, 20);
 
@@ -38,14 +43,15 @@ namespace fiberloom
 
 
 
-  BlockLayout::BlockLayout(const FiberMesh   &mesh,
-                           const unsigned int n_bodies,
-                           const MPI_Comm     communicator)
+  BlockLayout::BlockLayout(const FiberMesh       &mesh,
+                           const Eigen::VectorXd &matrix_nodes,
+                           const unsigned int     n_bodies,
+                           const MPI_Comm         communicator)
     : comm(communicator)
-    , n_nodes(mesh.n_nodes())
+    , n_all_nodes(mesh.n_nodes() + matrix_nodes.size() / 3)
     , first_dofs(1, 0)
-    , owners(n_nodes + n_bodies)
-    , local_blocks(n_nodes + n_bodies, -1)
+    , owners(n_all_nodes + n_bodies)
+    , local_blocks(n_all_nodes + n_bodies, -1)
   {
     const unsigned int n_ranks =
       dealii::Utilities::MPI::n_mpi_processes(communicator);
@@ -54,15 +60,17 @@ namespace fiberloom
 
     if (n_ranks > 1)
       {
-        const auto order = nodes_along_curve(mesh);
+        const auto order = nodes_along_curve(mesh, matrix_nodes);
         for (std::size_t i = 0; i < order.size(); ++i)
           owners[order[i]] = i * n_ranks / order.size();
       }
     for (unsigned int b = 0; b < n_bodies; ++b)
-      owners[n_nodes + b] = b % n_ranks;
+      owners[n_all_nodes + b] = b % n_ranks;
 
     for (unsigned int block = 0; block < owners.size(); ++block)
-      first_dofs.push_back(first_dofs.back() + (block < n_nodes ? 9 : 6));
+      first_dofs.push_back(first_dofs.back() + (block < mesh.n_nodes() ? 9 :
+                                                block < n_all_nodes    ? 3 :
+                                                                         6));
 
     owned_dof_set.set_size(n_dofs());
     unsigned int local_dof = 0;

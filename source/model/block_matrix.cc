@@ -21,9 +21,12 @@ namespace fiberloom
 
 
 
-  BlockMatrix::BlockMatrix(const BlockLayout &layout, const double lever)
+  BlockMatrix::BlockMatrix(const BlockLayout &layout,
+                           const double       lever,
+                           const double       matrix_weight)
     : numbering(layout)
     , lever(lever)
+    , matrix_weight(matrix_weight)
     , owned_map(
         layout.owned_dofs().make_trilinos_map(layout.communicator(), false))
   {}
@@ -120,8 +123,9 @@ namespace fiberloom
         const unsigned int n       = numbering.size(row);
         double            *entries = block(row, row);
         for (unsigned int i = 0; i < n; ++i)
-          entries[i * n + i] +=
-            n == 6 && i >= 3 ? value * lever * lever : value;
+          entries[i * n + i] += n == 6 && i >= 3 ? value * lever * lever :
+                                n == 3           ? value * matrix_weight :
+                                                   value;
       }
   }
 

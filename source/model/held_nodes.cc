@@ -141,6 +141,7 @@ namespace fiberloom
                        const BlockLayout      &layout)
     : n_nodes(n_nodes)
     , supports(supports)
+    , layout(layout)
     , blocks(nodes, nodes + n_nodes)
     , held(n_nodes, nullptr)
     , body_position(n_nodes, 0)
@@ -156,9 +157,86 @@ namespace fiberloom
             found = blocks.insert(blocks.end(), body);
           body_position[a] = found - blocks.begin();
         }
-    const unsigned int n = offset(blocks.size());
-    forces.setZero(n);
-    matrix.setZero(n, n);
+    offsets.push_back(0);
+    for (const unsigned int block : blocks)
+      offsets.push_back(offsets.back() + layout.size(block));
+    forces.setZero(offsets.back());
+    matrix.setZero(offsets.back(), offsets.back());
+  }
+
+
+
+  template <int n_dofs>
+  void
+  HeldGroup::transform_node(const unsigned int            a,
+                            const DofVector              &q,
+                            const std::vector<Placement> &placements,
+                            const bool                    with_tangent,
+                            Eigen::MatrixXd              &geometric)
+  {
+    using Dofs   = Eigen::Matrix<double, n_dofs, 1>;
+    using Basis  = Eigen::Matrix<double, n_dofs, n_dofs>;
+    using Motion = Eigen::Matrix<double, n_dofs, 6>; // by that of the body
+
+    const Placement   &placement = placements[held[a]->body];
+    const Matrix3      turned    = placement.rotation.toRotationMatrix();
+    const Dofs         node  = q.segment<n_dofs>(layout.first_dof(blocks[a]));
+    const Dofs         force = forces.segment<n_dofs>(offset(a));
+    const unsigned int first = offset(a);
+    const unsigned int body  = offset(body_position[a]);
+    const unsigned int rotation = body + 3;
+
+    Basis basis                          = Basis::Zero();
+    basis.template topLeftCorner<3, 3>() = turned * held[a]->center_frame;
+    if constexpr (n_dofs == 9)
+      basis.template bottomRightCorner<6, 6>() =
+        section_basis(*held[a], turned, node.template tail<6>());
+    Motion motion = Motion::Zero();
+    motion.template topLeftCorner<3, 3>().setIdentity();
+
+    for (unsigned int v = 0; v < n_dofs / 3; ++v)
+      {
+        Vector3 lever = node.template segment<3>(3 * v);
+        if (v == 0)
+          lever -= placement.position;
+        motion.template block<3, 3>(3 * v, 3) = -cross_matrix(lever);
+
+        const Vector3 f = force.template segment<3>(3 * v);
+        geometric.block<3, 3>(rotation, rotation) +=
+          .5 * (f * lever.transpose() + lever * f.transpose()) -
+          f.dot(lever) * Matrix3::Identity();
+        const Eigen::Matrix<double, 3, n_dofs> mixed =
+          -cross_matrix(f) * basis.template middleRows<3>(3 * v);
+        geometric.block<3, n_dofs>(rotation, first) += mixed;
+        geometric.block<n_dofs, 3>(first, rotation) += mixed.transpose();
+      }
+    if constexpr (n_dofs == 9)
+      if (!held[a]->radial.isZero(0))
+        {
+          // Where the first vector has turned in the section and the second
+          // one is tilted, leveling lifts both.
+          const NodeVector h = basis.transpose() * node;
+          const double     lift =
+            (basis.col(5).dot(force) + h[6] / h[3] * basis.col(8).dot(force)) /
+            h[7];
+          geometric(first + 4, first + 8) += lift;
+          geometric(first + 8, first + 4) += lift;
+        }
+
+    forces.segment<n_dofs>(first) = basis.transpose() * force;
+    forces.segment<6>(body) += motion.transpose() * force;
+    if (!with_tangent)
+      return;
+
+    // Other columns stay: far less work than a product with the whole map.
+    const Eigen::Matrix<double, Eigen::Dynamic, n_dofs> columns =
+      matrix.middleCols<n_dofs>(first);
+    matrix.middleCols<n_dofs>(first).noalias() = columns * basis;
+    matrix.middleCols<6>(body) += columns * motion;
+    const Eigen::Matrix<double, n_dofs, Eigen::Dynamic> rows =
+      matrix.middleRows<n_dofs>(first);
+    matrix.middleRows<n_dofs>(first).noalias() = basis.transpose() * rows;
+    matrix.middleRows<6>(body) += motion.transpose() * rows;
   }
 
 
@@ -168,83 +246,16 @@ namespace fiberloom
                        const std::vector<Placement> &placements,
                        const bool                    with_tangent)
   {
-    using Basis  = Eigen::Matrix<double, 9, 9>;
-    using Motion = Eigen::Matrix<double, 9, 6>;
-
-    const unsigned int  n         = forces.size();
-    Eigen::MatrixXd     geometric = Eigen::MatrixXd::Zero(n, n);
-    std::vector<Basis>  bases(n_nodes);
-    std::vector<Motion> motions(n_nodes); // of the node, by that of its body
+    const unsigned int n         = forces.size();
+    Eigen::MatrixXd    geometric = Eigen::MatrixXd::Zero(n, n);
     for (unsigned int a = 0; a < n_nodes; ++a)
-      {
-        if (held[a] == nullptr)
-          continue;
-        const Placement   &placement = placements[held[a]->body];
-        const Matrix3      turned    = placement.rotation.toRotationMatrix();
-        const NodeVector   node      = q.segment<9>(9 * blocks[a]);
-        const unsigned int rotation  = offset(body_position[a]) + 3;
-
-        Basis &basis = bases[a];
-        basis.setZero();
-        basis.topLeftCorner<3, 3>() = turned * held[a]->center_frame;
-        basis.bottomRightCorner<6, 6>() =
-          section_basis(*held[a], turned, node.tail<6>());
-        Motion &motion = motions[a];
-        motion.setZero();
-        motion.topLeftCorner<3, 3>().setIdentity();
-
-        for (unsigned int v = 0; v < 3; ++v)
-          {
-            const unsigned int dof   = 9 * a + 3 * v;
-            Vector3            lever = node.segment<3>(3 * v);
-            if (v == 0)
-              lever -= placement.position;
-            motion.block<3, 3>(3 * v, 3) = -cross_matrix(lever);
-
-            const Vector3 f = forces.segment<3>(dof);
-            geometric.block<3, 3>(rotation, rotation) +=
-              .5 * (f * lever.transpose() + lever * f.transpose()) -
-              f.dot(lever) * Matrix3::Identity();
-            const Eigen::Matrix<double, 3, 9> mixed =
-              -cross_matrix(f) * basis.middleRows<3>(3 * v);
-            geometric.block<3, 9>(rotation, 9 * a) += mixed;
-            geometric.block<9, 3>(9 * a, rotation) += mixed.transpose();
-          }
-        if (!held[a]->radial.isZero(0))
-          {
-            // Where the first vector has turned in the section and the second
-            // one is tilted, leveling lifts both.
-            const NodeVector f = forces.segment<9>(9 * a);
-            const NodeVector h = basis.transpose() * node;
-            const double     lift =
-              (basis.col(5).dot(f) + h[6] / h[3] * basis.col(8).dot(f)) / h[7];
-            geometric(9 * a + 4, 9 * a + 8) += lift;
-            geometric(9 * a + 8, 9 * a + 4) += lift;
-          }
-      }
-
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      {
-        if (held[a] == nullptr)
-          continue;
-        const unsigned int body = offset(body_position[a]);
-
-        const NodeVector force   = forces.segment<9>(9 * a);
-        forces.segment<9>(9 * a) = bases[a].transpose() * force;
-        forces.segment<6>(body) += motions[a].transpose() * force;
-        if (!with_tangent)
-          continue;
-
-        // Other columns stay: far less work than a product with the whole map.
-        const Eigen::Matrix<double, Eigen::Dynamic, 9> columns =
-          matrix.middleCols<9>(9 * a);
-        matrix.middleCols<9>(9 * a).noalias() = columns * bases[a];
-        matrix.middleCols<6>(body) += columns * motions[a];
-        const Eigen::Matrix<double, 9, Eigen::Dynamic> rows =
-          matrix.middleRows<9>(9 * a);
-        matrix.middleRows<9>(9 * a).noalias() = bases[a].transpose() * rows;
-        matrix.middleRows<6>(body) += motions[a].transpose() * rows;
-      }
+      if (held[a] != nullptr)
+        {
+          if (size(a) == 9)
+            transform_node<9>(a, q, placements, with_tangent, geometric);
+          else
+            transform_node<3>(a, q, placements, with_tangent, geometric);
+        }
     if (with_tangent)
       matrix += geometric;
   }

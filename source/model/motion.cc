@@ -22,7 +22,7 @@ namespace fiberloom
     : mesh(mesh)
     , supports(supports)
     , layout(layout)
-    , node_attachments(mesh.n_nodes(), -1)
+    , node_attachments(layout.n_nodes(), -1)
     , fixed(layout.n_dofs(), false)
     , blocks_with_fixed(layout.n_blocks(), false)
   {
@@ -30,7 +30,7 @@ namespace fiberloom
       {
         const Attachment &attachment      = supports.attachments[i];
         node_attachments[attachment.node] = i;
-        for (unsigned int k = 0; k < 9; ++k)
+        for (unsigned int k = 0; k < layout.size(attachment.node); ++k)
           if (attachment.held[k])
             fixed[layout.first_dof(attachment.node) + k] = true;
         blocks_with_fixed[attachment.node] = attachment.held.any();
@@ -43,6 +43,17 @@ namespace fiberloom
             fixed[layout.first_dof(block) + k] = true;
         blocks_with_fixed[block] = supports.bodies[b].prescribed.any();
       }
+  }
+
+
+
+  NodeVector
+  Motion::node_dofs(const Eigen::VectorXd &dofs, const unsigned int node) const
+  {
+    NodeVector values = NodeVector::Zero();
+    values.head(layout.size(node)) =
+      dofs.segment(layout.first_dof(node), layout.size(node));
+    return values;
   }
 
 
@@ -122,19 +133,19 @@ namespace fiberloom
               .normalized();
       }
 
-    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+    for (unsigned int n = 0; n < layout.n_nodes(); ++n)
       {
-        const Eigen::Matrix<double, 9, 1> change =
-          factor * increment.segment<9>(9 * n);
-        auto node = state.q.segment<9>(9 * n);
+        const unsigned int first = layout.first_dof(n), size = layout.size(n);
+        auto               node = state.q.segment(first, size);
         if (const int i = node_attachments[n]; i >= 0)
           node = move_held_node(supports.attachments[i],
                                 state.placements[supports.attachments[i].body],
                                 moved[supports.attachments[i].body],
-                                node,
-                                change);
+                                node_dofs(state.q, n),
+                                factor * node_dofs(increment, n))
+                   .head(size);
         else
-          node += change;
+          node += factor * increment.segment(first, size);
       }
     state.placements = std::move(moved);
   }
@@ -149,10 +160,10 @@ namespace fiberloom
     const double    ratio = load_step / (state.load - state.previous_load);
     Eigen::VectorXd increment(layout.n_dofs());
 
-    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+    for (unsigned int n = 0; n < layout.n_nodes(); ++n)
       {
-        const NodeVector before = state.previous_q.segment<9>(9 * n),
-                         now    = state.q.segment<9>(9 * n);
+        const NodeVector before = node_dofs(state.previous_q, n),
+                         now    = node_dofs(state.q, n);
         NodeVector change       = now - before;
         if (const int i = node_attachments[n]; i >= 0)
           {
@@ -164,7 +175,8 @@ namespace fiberloom
                                   before,
                                   now);
           }
-        increment.segment<9>(9 * n) = ratio * change;
+        increment.segment(layout.first_dof(n), layout.size(n)) =
+          ratio * change.head(layout.size(n));
       }
 
     const std::vector<double> prescribed =

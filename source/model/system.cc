@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
-#include <fiberloom/contact/contact_law.h>
-
+#include <fiberloom/model/element_groups.h>
 #include <fiberloom/model/held_nodes.h>
 #include <fiberloom/model/system.h>
 
@@ -14,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace fiberloom
 {
@@ -22,83 +22,34 @@ namespace fiberloom
 
   namespace
   {
-    /** A beam element's contribution: blocks cut from its own matrices. */
-    struct ElementGroup
+    /** Stiffness of the matrix's cells over that of the fibers, at most 1. */
+    double
+    matrix_weight(const Composite *composite, const FiberMesh &mesh)
     {
-      static constexpr unsigned int n_nodes = 3;
+      if (composite == nullptr)
+        return 1;
+      const MatrixMesh &matrix = composite->matrix();
+      return std::min(1.,
+                      matrix.law().stiffness(Matrix3::Identity())(0, 0) *
+                        matrix.cell_size() / mesh.smallest_stiffness());
+    }
 
-      std::array<unsigned int, n_nodes> nodes;
-      BeamElement::Vector               residual;
-      BeamElement::Matrix               tangent;
+    constexpr double rounding_errors =
+      10 * std::numeric_limits<double>::epsilon();
 
-      auto
-      force(const unsigned int a) const
-      {
-        return residual.segment<9>(9 * a);
-      }
-
-      auto
-      stiffness(const unsigned int a, const unsigned int b) const
-      {
-        return tangent.block<9, 9>(9 * a, 9 * b);
-      }
-    };
-
-    /** A contact's: the pair of sections spread over the nodes by weights. */
-    struct ContactGroup
+    /** What rounding of the positions makes of the forces in a cell, through
+     * the strain, or in a junction [N]. */
+    double
+    rounding_of_matrix(const Composite &composite)
     {
-      static constexpr unsigned int n_nodes = 6;
-
-      std::array<unsigned int, n_nodes> nodes;
-      std::array<double, n_nodes>       weights;
-      SectionPair                       residual;
-      SectionPair2                      tangent;
-
-      explicit ContactGroup(const ContactElement &contact)
-      {
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            nodes[a]   = contact.first_nodes[a / 3] + a % 3;
-            weights[a] = contact.weights[a / 3][a % 3];
-          }
-      }
-
-      auto
-      force(const unsigned int a) const
-      {
-        return weights[a] * residual.segment<9>(9 * (a / 3));
-      }
-
-      auto
-      stiffness(const unsigned int a, const unsigned int b) const
-      {
-        return (weights[a] * weights[b]) *
-               tangent.block<9, 9>(9 * (a / 3), 9 * (b / 3));
-      }
-    };
-
-    /** A dead force on the centre of a node. */
-    struct NodeGroup
-    {
-      static constexpr unsigned int n_nodes = 1;
-
-      std::array<unsigned int, n_nodes> nodes;
-      Vector3                           outer_force;
-
-      Eigen::Matrix<double, 9, 1>
-      force(const unsigned int) const
-      {
-        Eigen::Matrix<double, 9, 1> force = Eigen::Matrix<double, 9, 1>::Zero();
-        force.head<3>()                   = -outer_force;
-        return force;
-      }
-
-      Eigen::Matrix<double, 9, 9>
-      stiffness(const unsigned int, const unsigned int) const
-      {
-        return Eigen::Matrix<double, 9, 9>::Zero();
-      }
-    };
+      const MatrixMesh &matrix = composite.matrix();
+      const double modulus  = matrix.law().stiffness(Matrix3::Identity())(0, 0);
+      const double size     = matrix.reference().lpNorm<Eigen::Infinity>();
+      double       rounding = modulus * size * matrix.largest_slope();
+      for (const JunctionElement &junction : composite.junctions())
+        rounding = std::max(rounding, junction.spring() * size);
+      return rounding_errors * rounding;
+    }
 
     double
     rotation_lever(const FiberMesh &mesh)
@@ -110,12 +61,22 @@ namespace fiberloom
 
 
 
-  System::System(const FiberMesh &mesh, const Supports &supports, MPI_Comm comm)
+  System::System(const FiberMesh &mesh,
+                 const Supports  &supports,
+                 MPI_Comm         comm,
+                 const Composite *composite)
     : mesh(mesh)
     , supports(supports)
-    , numbering(mesh, supports.bodies.size(), comm)
+    , composite(composite)
+    , numbering(mesh,
+                composite == nullptr ? Eigen::VectorXd() :
+                                       composite->matrix().reference(),
+                supports.bodies.size(),
+                comm)
     , movement(mesh, supports, numbering)
-    , system_matrix(numbering, rotation_lever(mesh))
+    , system_matrix(numbering,
+                    rotation_lever(mesh),
+                    matrix_weight(composite, mesh))
     , stiffness(mesh.smallest_stiffness())
     , element_pattern(numbering.owned_blocks().size())
     , residual(numbering.owned_dofs().n_elements())
@@ -125,10 +86,12 @@ namespace fiberloom
   {
     const double size = mesh.reference().lpNorm<Eigen::Infinity>();
     for (const auto &line : mesh.lines())
-      rounding = std::max(rounding,
-                          10 * std::numeric_limits<double>::epsilon() *
-                            line.young_modulus * M_PI * line.radius *
-                            line.radius * size * line.n_nodes() / line.length);
+      rounding =
+        std::max(rounding,
+                 rounding_errors * line.young_modulus * M_PI * line.radius *
+                   line.radius * size * line.n_nodes() / line.length);
+    if (composite != nullptr)
+      rounding = std::max(rounding, rounding_of_matrix(*composite));
 
     owned_map = std::make_unique<Epetra_Map>(
       numbering.owned_dofs().make_trilinos_map(comm, false));
@@ -183,24 +146,39 @@ namespace fiberloom
 
 
   void
+  System::set_element_pattern()
+  {
+    const auto add = [this](std::vector<unsigned int> blocks) {
+      append_bodies(movement, supports, numbering, blocks);
+      couple(numbering, blocks, element_pattern);
+    };
+    for (unsigned int e = 0; e < mesh.n_elements(); ++e)
+      {
+        const unsigned int n = mesh.first_node(e);
+        add({n, n + 1, n + 2});
+      }
+    if (composite != nullptr)
+      {
+        for (unsigned int c = 0; c < composite->matrix().n_cells(); ++c)
+          add(nodes_of_cell(*composite, c));
+        for (const JunctionElement &junction : composite->junctions())
+          add(nodes_of_junction(*composite, junction));
+      }
+    for (unsigned int b = 0; b < supports.bodies.size(); ++b)
+      couple(numbering, {numbering.body_block(b)}, element_pattern);
+    sort_unique(element_pattern);
+  }
+
+
+
+  void
   System::reinit(const std::vector<ContactElement> &contacts)
   {
-    std::vector<unsigned int> blocks;
     if (system_matrix.pattern_version() == 0)
-      {
-        for (unsigned int e = 0; e < mesh.n_elements(); ++e)
-          {
-            const unsigned int n = mesh.first_node(e);
-            blocks               = {n, n + 1, n + 2};
-            append_bodies(movement, supports, numbering, blocks);
-            couple(numbering, blocks, element_pattern);
-          }
-        for (unsigned int b = 0; b < supports.bodies.size(); ++b)
-          couple(numbering, {numbering.body_block(b)}, element_pattern);
-        sort_unique(element_pattern);
-      }
+      set_element_pattern();
 
-    auto pattern = element_pattern;
+    std::vector<unsigned int> blocks;
+    auto                      pattern = element_pattern;
     for (const ContactElement &contact : contacts)
       {
         const unsigned int i = contact.first_nodes[0],
@@ -236,7 +214,12 @@ namespace fiberloom
   void
   System::scatter(const State &state, const Group &group)
   {
-    using RowMajor9 = Eigen::Matrix<double, 9, 9, Eigen::RowMajor>;
+    // Blocks of nine where the group knows that it has no others.
+    constexpr int n_fixed =
+      std::decay_t<decltype(group.force(0))>::RowsAtCompileTime;
+    using Force = Eigen::Matrix<double, n_fixed, 1>;
+    using Block = Eigen::Matrix<double, n_fixed, n_fixed, Eigen::RowMajor>;
+    const unsigned int n_nodes = group.nodes.size();
 
     const bool held = std::any_of(group.nodes.begin(),
                                   group.nodes.end(),
@@ -246,15 +229,15 @@ namespace fiberloom
     if (held)
       {
         HeldGroup transformed(group.nodes.data(),
-                              group.n_nodes,
+                              n_nodes,
                               movement.attachments(),
                               supports,
                               numbering);
-        for (unsigned int a = 0; a < group.n_nodes; ++a)
+        for (unsigned int a = 0; a < n_nodes; ++a)
           transformed.set_force(a, group.force(a));
         if constexpr (with_tangent)
-          for (unsigned int a = 0; a < group.n_nodes; ++a)
-            for (unsigned int b = 0; b < group.n_nodes; ++b)
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            for (unsigned int b = 0; b < n_nodes; ++b)
               transformed.set_stiffness(a, b, group.stiffness(a, b));
         transformed.transform(state.q, state.placements, with_tangent);
 
@@ -282,17 +265,19 @@ namespace fiberloom
         return;
       }
 
-    for (unsigned int a = 0; a < group.n_nodes; ++a)
+    for (unsigned int a = 0; a < n_nodes; ++a)
       {
-        const int local = numbering.local_block(group.nodes[a]);
+        const unsigned int row   = group.nodes[a];
+        const int          local = numbering.local_block(row);
         if (local < 0)
           continue;
-        Eigen::Map<Eigen::Matrix<double, 9, 1>>(
-          residual.data() + numbering.local_first_dof(local)) += group.force(a);
+        Eigen::Map<Force>(residual.data() + numbering.local_first_dof(local),
+                          numbering.size(row)) += group.force(a);
         if constexpr (with_tangent)
-          for (unsigned int b = 0; b < group.n_nodes; ++b)
-            Eigen::Map<RowMajor9>(
-              system_matrix.block(group.nodes[a], group.nodes[b])) +=
+          for (unsigned int b = 0; b < n_nodes; ++b)
+            Eigen::Map<Block>(system_matrix.block(row, group.nodes[b]),
+                              numbering.size(row),
+                              numbering.size(group.nodes[b])) +=
               group.stiffness(a, b);
       }
   }
@@ -327,7 +312,13 @@ namespace fiberloom
         scale = std::max(scale, group.residual.lpNorm<Eigen::Infinity>());
         scatter<with_tangent>(state, group);
       }
-    largest_force = max(scale, numbering.communicator());
+    largest_force = scale;
+    if (composite != nullptr)
+      {
+        add_matrix<with_tangent>(state);
+        add_junctions<with_tangent>(state);
+      }
+    largest_force = max(largest_force, numbering.communicator());
 
     for (ContactElement &contact : contacts)
       {
@@ -363,6 +354,84 @@ namespace fiberloom
                     MPI_SUM,
                     numbering.communicator());
     add_body_loads<with_tangent>(targets);
+  }
+
+
+
+  template <bool with_tangent>
+  void
+  System::add_matrix(const State &state)
+  {
+    const MatrixMesh     &matrix    = composite->matrix();
+    const Eigen::VectorXd positions = composite->positions(state.q);
+    MixedGroup            group;
+    for (unsigned int c = 0; c < matrix.n_cells(); ++c)
+      {
+        group.set_nodes(nodes_of_cell(*composite, c), numbering);
+        if (!touches_owned(group.nodes.data(), group.nodes.size()))
+          continue;
+        const Eigen::VectorXd x = matrix.cell_positions(positions, c);
+        if constexpr (with_tangent)
+          matrix.element(c).residual_and_tangent(x,
+                                                 group.residual,
+                                                 group.tangent);
+        else
+          group.residual = matrix.element(c).residual(x);
+        largest_force =
+          std::max(largest_force, group.residual.lpNorm<Eigen::Infinity>());
+        scatter<with_tangent>(state, group);
+      }
+  }
+
+
+
+  template <bool with_tangent>
+  void
+  System::add_junctions(const State &state)
+  {
+    for (unsigned int j = 0; j < composite->junctions().size(); ++j)
+      {
+        const JunctionGroup group(*composite, j, state.q, numbering);
+        if (!touches_owned(group.nodes.data(), group.nodes.size()))
+          continue;
+        const bool held = std::any_of(group.nodes.begin(),
+                                      group.nodes.end(),
+                                      [this](const unsigned int node) {
+                                        return movement.attachment(node) >= 0;
+                                      });
+        if (held)
+          scatter<with_tangent>(state, group);
+        else
+          scatter_diagonals<with_tangent>(group);
+      }
+  }
+
+
+
+  template <bool with_tangent>
+  void
+  System::scatter_diagonals(const JunctionGroup &group)
+  {
+    for (unsigned int a = 0; a < group.nodes.size(); ++a)
+      {
+        const unsigned int row   = group.nodes[a];
+        const int          local = numbering.local_block(row);
+        if (local < 0)
+          continue;
+        double *forces = residual.data() + numbering.local_first_dof(local);
+        for (unsigned int i = 0; i < group.size(a); ++i)
+          forces[i] += group.weight(a, i / 3) * -group.fiber_force[i % 3];
+        if constexpr (with_tangent)
+          for (unsigned int b = 0; b < group.nodes.size(); ++b)
+            {
+              double *entries = system_matrix.block(row, group.nodes[b]);
+              const unsigned int width = group.size(b);
+              for (unsigned int i = 0; i < group.size(a); ++i)
+                for (unsigned int v = 0; v < width / 3; ++v)
+                  entries[i * width + 3 * v + i % 3] +=
+                    group.stiffness_of(a, i / 3, b, v);
+            }
+      }
   }
 
 
@@ -487,7 +556,27 @@ namespace fiberloom
     for (const ContactElement &contact : contacts)
       if (numbering.local_block(contact.first_nodes[0]) >= 0)
         energy += contact_energy(contact, section_pair(contact, state.q));
+    if (composite != nullptr)
+      energy += matrix_energy(state);
     return sum(energy, numbering.communicator());
+  }
+
+
+
+  double
+  System::matrix_energy(const State &state) const
+  {
+    const MatrixMesh     &matrix    = composite->matrix();
+    const Eigen::VectorXd positions = composite->positions(state.q);
+    double                energy    = 0;
+    for (unsigned int c = 0; c < matrix.n_cells(); ++c)
+      if (numbering.local_block(composite->first_node() +
+                                matrix.nodes(c).front()) >= 0)
+        energy += matrix.element(c).energy(matrix.cell_positions(positions, c));
+    for (const JunctionElement &junction : composite->junctions())
+      if (numbering.local_block(junction.fiber_nodes()[0]) >= 0)
+        energy += junction.energy(state.q, positions);
+    return energy;
   }
 
 
@@ -545,12 +634,17 @@ namespace fiberloom
   System::rigid_modes() const
   {
     // Near enough to a body's reference point, which is part of the state.
+    const auto node_center = [this](const unsigned int node) {
+      return node < mesh.n_nodes() ?
+               Vector3(mesh.reference().segment<3>(9 * node)) :
+               Vector3(composite->matrix().reference().segment<3>(
+                 3 * (node - mesh.n_nodes())));
+    };
     std::vector<Vector3>      centers(supports.bodies.size(), Vector3::Zero());
     std::vector<unsigned int> n_held(supports.bodies.size(), 0);
     for (const Attachment &attachment : supports.attachments)
       {
-        centers[attachment.body] +=
-          mesh.reference().segment<3>(9 * attachment.node);
+        centers[attachment.body] += node_center(attachment.node);
         ++n_held[attachment.body];
       }
     for (unsigned int b = 0; b < centers.size(); ++b)
@@ -564,11 +658,14 @@ namespace fiberloom
         for (const unsigned int block : numbering.owned_blocks())
           {
             Eigen::VectorXd change(numbering.size(block));
-            if (block >= mesh.n_nodes())
-              change << shift + turn.cross(centers[block - mesh.n_nodes()]),
+            if (block >= numbering.n_nodes())
+              change << shift +
+                          turn.cross(centers[block - numbering.n_nodes()]),
                 turn;
             else if (movement.attachment(block) >= 0)
               change.setZero(); // goes with its body
+            else if (block >= mesh.n_nodes())
+              change = shift + turn.cross(node_center(block));
             else
               for (unsigned int v = 0; v < 3; ++v)
                 change.segment<3>(3 * v) =
@@ -595,7 +692,7 @@ namespace fiberloom
         for (unsigned int i = 0; i < numbering.size(block); ++i)
           if (!movement.is_fixed(numbering.first_dof(block) + i))
             {
-              const bool   moment = block >= mesh.n_nodes() && i >= 3;
+              const bool   moment = block >= numbering.n_nodes() && i >= 3;
               const double value =
                 std::abs(residual[numbering.local_first_dof(row) + i]);
               norm =

@@ -44,7 +44,7 @@ namespace fiberloom
     const std::string checkpoint_magic = "fiberloom checkpoint\n";
 
     // to be raised with every change of what is serialised
-    constexpr std::uint64_t checkpoint_version = 4;
+    constexpr std::uint64_t checkpoint_version = 5;
 
     std::string
     words(const std::initializer_list<std::uint64_t> &values)

@@ -7,6 +7,7 @@
 #include <fiberloom/output/contact_field.h>
 #include <fiberloom/output/fiber_field.h>
 #include <fiberloom/output/files.h>
+#include <fiberloom/output/matrix_field.h>
 #include <fiberloom/output/section_field.h>
 #include <fiberloom/output/slices.h>
 #include <fiberloom/output/trajectories.h>
@@ -101,6 +102,8 @@ namespace fiberloom
     , fiber_series(parameters.output_directory, "fibers", comm)
     , section_series(parameters.output_directory, "sections", comm)
     , contact_series(parameters.output_directory, "contacts", comm)
+    , matrix_series(parameters.output_directory, "matrix", comm)
+    , junction_series(parameters.output_directory, "junctions", comm)
   {
     summary.version  = program_version();
     summary.revision = program_revision();
@@ -118,8 +121,11 @@ namespace fiberloom
   {
     const State &state = checkpoint.state;
     statistics         = checkpoint.stages;
-    for (FieldSeries *series :
-         {&fiber_series, &section_series, &contact_series})
+    for (FieldSeries *series : {&fiber_series,
+                                &section_series,
+                                &contact_series,
+                                &matrix_series,
+                                &junction_series})
       series->continue_after(field_time(state));
     try
       {
@@ -155,16 +161,19 @@ namespace fiberloom
 
 
   void
-  OutputWriter::begin_stage(const std::string &stage, const State &state)
+  OutputWriter::begin_stage(const std::string &stage,
+                            const State       &state,
+                            const Composite   *composite)
   {
     const SecondsGuard guard(output_seconds);
+    count(composite);
     if (state.increment > 0)
       return;
     const std::string label =
       increment_label(stage_label(parameters.stages, state.stage), 0);
     write_slices(state, stage, label);
     if (!fiber_series.has(field_time(state)))
-      write_fields(state, {}, label);
+      write_fields(state, {}, composite, label);
   }
 
 
@@ -191,6 +200,7 @@ namespace fiberloom
     if (is_due(parameters.output.fields_every, report))
       write_fields(state,
                    report.contacts,
+                   report.composite,
                    increment_label(label, state.increment));
     if (report.last)
       {
@@ -230,6 +240,17 @@ namespace fiberloom
 
 
 
+  void
+  OutputWriter::count(const Composite *composite)
+  {
+    if (composite == nullptr)
+      return;
+    summary.model.matrix_dofs = 3 * composite->matrix().n_nodes();
+    summary.model.junctions   = composite->junctions().size();
+  }
+
+
+
   std::string
   OutputWriter::path(const std::string &file) const
   {
@@ -259,6 +280,7 @@ namespace fiberloom
   void
   OutputWriter::write_fields(const State                       &state,
                              const std::vector<ContactElement> &contacts,
+                             const Composite                   *composite,
                              const std::string                 &label)
   {
     const double time = field_time(state);
@@ -279,6 +301,18 @@ namespace fiberloom
                          label);
     contact_series.write(
       contact_field(mesh, state.q, contacts, first_contact, last_contact),
+      time,
+      label);
+    if (composite == nullptr)
+      return;
+    const auto [first_cell, last_cell] =
+      share_of_rank(composite->matrix().n_cells(), comm);
+    const auto [first_junction, last_junction] =
+      share_of_rank(composite->junctions().size(), comm);
+    matrix_series.write(
+      matrix_field(*composite, state.q, first_cell, last_cell), time, label);
+    junction_series.write(
+      junction_field(*composite, state.q, first_junction, last_junction),
       time,
       label);
   }

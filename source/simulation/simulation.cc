@@ -5,6 +5,8 @@
 #include <fiberloom/base/scoped_timer.h>
 #include <fiberloom/base/stop_request.h>
 
+#include <fiberloom/stages/coat.h>
+
 #include <fiberloom/simulation/simulation.h>
 #include <fiberloom/simulation/stage_run.h>
 
@@ -46,18 +48,21 @@ namespace fiberloom
   void
   Simulation::print_check()
   {
-    const ModelSize size = model_size();
+    ModelSize size   = model_size();
+    size.matrix_dofs = 3 * n_layer_nodes(parameters.matrix);
     // Fitted to woven samples of 6,300 to 55,188 dofs, doc/performance.md; the
     // exponent is that of a nested dissection factor.
     const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
     const double       gigabytes =
-      .17 * ranks + .42 * std::pow(size.fiber_dofs / 55188., 1.13);
+      .17 * ranks +
+      .42 * std::pow((size.fiber_dofs + size.matrix_dofs) / 55188., 1.13);
     if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
       std::cout << "fibers          " << size.fibers << "\nnodes           "
                 << size.nodes << "\nfiber dofs      " << size.fiber_dofs
                 << "\nfiber elements  " << size.fiber_elements
-                << "\nmatrix dofs     0\nexpected memory "
-                << boost::format("%.1f GiB") % gigabytes << std::endl;
+                << "\nmatrix dofs     " << size.matrix_dofs
+                << "\nexpected memory " << boost::format("%.1f GiB") % gigabytes
+                << std::endl;
   }
 
 
@@ -74,6 +79,7 @@ namespace fiberloom
       read_checkpoint(command_line.restart, describe_model(fibers, mesh), comm);
     const State &before = restart.state;
     parameters.check_stage_order(before.stages_done);
+    check_matrix(parameters, before.matrix);
     const auto &stages = parameters.stages;
     const auto  next   = next_stage();
     state              = before;
@@ -146,10 +152,16 @@ namespace fiberloom
   int
   Simulation::run()
   {
+    State state = initial_state();
+    // Where coating comes first, what is wrong with it shows at once.
+    std::vector<std::string> notes;
+    if (state.stage < parameters.stages.size() &&
+        parameters.stages[state.stage] == "coat" && state.matrix.is_empty())
+      notes.push_back(add_matrix(parameters, mesh, state));
+    for (const std::string &note : stage_notes(state))
+      notes.push_back(note);
     if (command_line.check)
       {
-        initial_state();
-        const auto notes = stage_notes();
         print_check();
         if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
           for (const std::string &note : notes)
@@ -157,10 +169,7 @@ namespace fiberloom
         return 0;
       }
 
-    State state        = initial_state();
     state.scene_stages = parameters.stages;
-    const auto notes   = stage_notes();
-
     OutputWriter writer(
       parameters, fibers, mesh, model_size(), comm, output_seconds);
     log.open(parameters.output_directory, continues);
@@ -192,8 +201,9 @@ namespace fiberloom
                      parameters.maximal_wall_time);
     while (state.stage < parameters.stages.size())
       {
-        const std::string &name = parameters.stages[state.stage];
-        const Scene        scene{parameters, fibers, mesh};
+        const std::string &name      = parameters.stages[state.stage];
+        const auto         composite = make_composite(name, state);
+        const Scene        scene{parameters, fibers, mesh, composite.get()};
         const auto         stage = create_stage(name, scene);
         StageStatistics    statistics;
         statistics.name      = name;
@@ -204,7 +214,7 @@ namespace fiberloom
         const unsigned int number = state.stage;
         try
           {
-            writer.begin_stage(name, state);
+            writer.begin_stage(name, state, composite.get());
             StageRun run(
               scene,
               *stage,
@@ -254,13 +264,29 @@ namespace fiberloom
 
 
 
-  std::vector<std::string>
-  Simulation::stage_notes() const
+  std::unique_ptr<Composite>
+  Simulation::make_composite(const std::string &stage, State &state)
   {
+    if (stage == "coat" && state.matrix.is_empty())
+      log.write(add_matrix(parameters, mesh, state));
+    if (state.matrix.is_empty())
+      return nullptr;
+    return std::make_unique<Composite>(state.matrix, mesh);
+  }
+
+
+
+  std::vector<std::string>
+  Simulation::stage_notes(const State &state) const
+  {
+    std::unique_ptr<Composite> composite;
+    if (!state.matrix.is_empty())
+      composite = std::make_unique<Composite>(state.matrix, mesh);
     std::vector<std::string> notes;
     for (const std::string &name : parameters.stages)
       for (const std::string &note :
-           create_stage(name, {parameters, fibers, mesh})->notes())
+           create_stage(name, {parameters, fibers, mesh, composite.get()})
+             ->notes())
         if (std::find(notes.begin(), notes.end(), note) == notes.end())
           notes.push_back(note);
     return notes;
@@ -276,8 +302,13 @@ namespace fiberloom
       left_out += " friction and its history,";
     if (!generator.searches())
       left_out += " the search for contact,";
-    left_out += " matrix layers";
-    log.write("left out, as the scene does not need it:" + left_out);
+    if (!parameters.has_matrix())
+      left_out += " matrix layers, junctions,";
+    if (left_out.empty())
+      return;
+    left_out.back() = ' ';
+    log.write("left out, as the scene does not need it:" +
+              left_out.substr(0, left_out.size() - 1));
   }
 
 

@@ -70,7 +70,7 @@ namespace fiberloom
     , log(log)
     , stop_requested(std::move(stop_requested))
     , supports(stage.supports(is_begun(state) ? state.stage_start_q : state.q))
-    , system(scene.mesh, supports, comm)
+    , system(scene.mesh, supports, comm, scene.composite)
     , equilibrium(scene.mesh,
                   scene.parameters,
                   generator,
@@ -216,6 +216,8 @@ namespace fiberloom
     shown = statistics;
 
     CurveRow curve = stage.curve(state, system.reactions());
+    if (stage.shows_neighbors())
+      curve.emplace_back("neighbor_force[N]", force_of_neighbors());
     if (stage.shows_balance())
       for (const auto &column : balance(state))
         curve.push_back(column);
@@ -226,7 +228,8 @@ namespace fiberloom
               system.reactions(),
               curve,
               statistics,
-              state.load >= 1});
+              state.load >= 1,
+              scene.composite});
   }
 
 
@@ -242,6 +245,24 @@ namespace fiberloom
             progress.residual % progress.factor % progress.damping %
             equilibrium.contacts().size() % equilibrium.largest_penetration())
       .str();
+  }
+
+
+
+  double
+  StageRun::force_of_neighbors() const
+  {
+    const auto &tows = scene.fibers.tows;
+    double      sum  = 0;
+    const auto  tow  = [&](const ContactElement &contact,
+                         const unsigned int    side) {
+      return scene.fibers.fibers[contact.fibers[side]].tow;
+    };
+    for (const ContactElement &contact : equilibrium.contacts())
+      if (tow(contact, 0) != tow(contact, 1) &&
+          tows[tow(contact, 0)].family == tows[tow(contact, 1)].family)
+        sum += contact.normal_force;
+    return sum;
   }
 
 

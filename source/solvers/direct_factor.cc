@@ -93,13 +93,22 @@ namespace fiberloom
       return data.icntl[index - 1];
     }
 
+    bool
+    is_in(const DirectFactor::Part part,
+          const BlockLayout       &layout,
+          const unsigned int       block)
+    {
+      return part == DirectFactor::Part::all ||
+             (layout.size(block) == 3) == (part == DirectFactor::Part::matrix);
+    }
+
     /**
      * Position of each dof in the pivot order (from one), on rank 0; METIS's
      * nested dissection on the graph of blocks, which is 80 times smaller
      * than that of dofs.
      */
     std::vector<int>
-    pivot_positions(const BlockMatrix &matrix)
+    pivot_positions(const BlockMatrix &matrix, const DirectFactor::Part part)
     {
       const BlockLayout &layout = matrix.layout();
       const auto        &owned  = layout.owned_blocks();
@@ -107,12 +116,16 @@ namespace fiberloom
       std::vector<unsigned int> local; // block, count, neighbours ...
       for (unsigned int row = 0; row < owned.size(); ++row)
         {
-          const auto &columns = matrix.columns(row);
           local.push_back(owned[row]);
-          local.push_back(columns.size() - 1);
-          for (const unsigned int column : columns)
-            if (column != owned[row])
-              local.push_back(column);
+          const std::size_t count = local.size();
+          local.push_back(0);
+          if (is_in(part, layout, owned[row]))
+            for (const unsigned int column : matrix.columns(row))
+              if (column != owned[row] && is_in(part, layout, column))
+                {
+                  local.push_back(column);
+                  ++local[count];
+                }
         }
       const auto parts =
         dealii::Utilities::MPI::gather(layout.communicator(), local, 0);
@@ -163,8 +176,9 @@ namespace fiberloom
   class DirectFactor::Typed : public DirectFactor::Implementation
   {
   public:
-    explicit Typed(const MPI_Comm comm)
+    Typed(const MPI_Comm comm, const Part part)
       : comm(comm)
+      , part(part)
       , rank(dealii::Utilities::MPI::this_mpi_process(comm))
     {
       data.par          = 1;
@@ -278,8 +292,8 @@ namespace fiberloom
      * of the symmetric part; only within a diagonal block there can be another.
      */
     template <class Visit>
-    static void
-    visit_upper_triangle(const BlockMatrix &matrix, const Visit &visit)
+    void
+    visit_upper_triangle(const BlockMatrix &matrix, const Visit &visit) const
     {
       const BlockLayout &layout = matrix.layout();
       for (unsigned int row = 0; row < layout.owned_blocks().size(); ++row)
@@ -287,9 +301,15 @@ namespace fiberloom
           const unsigned int block   = layout.owned_blocks()[row];
           const unsigned int row_dof = layout.first_dof(block);
           const auto        &columns = matrix.columns(row);
+          if (!is_in(part, layout, block))
+            {
+              for (unsigned int i = 0; i < layout.size(block); ++i)
+                visit(row_dof + i, row_dof + i, 1);
+              continue;
+            }
           for (unsigned int c = 0; c < columns.size(); ++c)
             {
-              if (columns[c] < block)
+              if (columns[c] < block || !is_in(part, layout, columns[c]))
                 continue;
               const unsigned int column_dof = layout.first_dof(columns[c]);
               const unsigned int width      = layout.size(columns[c]);
@@ -318,7 +338,7 @@ namespace fiberloom
                              rows.push_back(row + 1);
                              columns.push_back(column + 1);
                            });
-      positions = pivot_positions(matrix);
+      positions = pivot_positions(matrix, part);
 
       const BlockLayout &layout = matrix.layout();
       block_begins.clear();
@@ -364,6 +384,7 @@ namespace fiberloom
     }
 
     MPI_Comm                                     comm;
+    const Part                                   part;
     unsigned int                                 rank;
     Mumps                                        data{};
     unsigned int                                 analysed        = 0;
@@ -376,12 +397,16 @@ namespace fiberloom
 
 
 
-  DirectFactor::DirectFactor(const MPI_Comm comm, const Precision precision)
+  DirectFactor::DirectFactor(const MPI_Comm  comm,
+                             const Precision precision,
+                             const Part      part)
   {
     if (precision == Precision::double_precision)
-      implementation = std::make_unique<Typed<DMUMPS_STRUC_C, double>>(comm);
+      implementation =
+        std::make_unique<Typed<DMUMPS_STRUC_C, double>>(comm, part);
     else
-      implementation = std::make_unique<Typed<SMUMPS_STRUC_C, float>>(comm);
+      implementation =
+        std::make_unique<Typed<SMUMPS_STRUC_C, float>>(comm, part);
   }
 
 

@@ -30,8 +30,8 @@ namespace fiberloom
     choose_precision(const std::string &name, const unsigned int n_dofs)
     {
       const bool in_double =
-        name == "double factor" ||
-        (name == "automatic" && n_dofs < single_precision_from);
+        name == "double factor" || ((name == "automatic" || name == "blocks") &&
+                                    n_dofs < single_precision_from);
       return in_double ? DirectFactor::Precision::double_precision :
                          DirectFactor::Precision::single_precision;
     }
@@ -124,6 +124,8 @@ namespace fiberloom
                   nullptr)
   {
     use(choose_precision(name, system.layout().n_dofs()));
+    if (name == "blocks")
+      blocks = std::make_unique<BlockPreconditioner>(communicator, precision);
   }
 
 
@@ -202,6 +204,8 @@ namespace fiberloom
     Epetra_Vector x(View, map, solution.data());
     if (multigrid && solve_by_multigrid(
                        matrix, b, shift_unit, x, may_be_indefinite, outcome))
+      return outcome;
+    if (blocks && solve_by_blocks(matrix, b, x, outcome))
       return outcome;
 
     const auto solve_by_current_factor = [&]() {
@@ -290,6 +294,32 @@ namespace fiberloom
           return true;
         shift_more(matrix, attempt, shift_unit, outcome);
       }
+  }
+
+
+
+  bool
+  LinearSolver::solve_by_blocks(BlockMatrix   &matrix,
+                                Epetra_Vector &b,
+                                Epetra_Vector &x,
+                                Outcome       &outcome)
+  {
+    {
+      ScopedTimer timer(outcome.analysis);
+      blocks->analyse(matrix);
+    }
+    ++outcome.factorizations;
+    {
+      ScopedTimer timer(outcome.factorization);
+      outcome.negative_pivots = blocks->factorize(matrix);
+    }
+    if (outcome.negative_pivots != 0 ||
+        !iterate(matrix, *blocks, b, x, outcome))
+      return false;
+    // Both blocks may be definite where the whole is not.
+    double slope;
+    x.Dot(b, &slope);
+    return slope >= 0;
   }
 
 

@@ -41,6 +41,8 @@ namespace fiberloom
     state.previous_load       = -1;
     for (unsigned int n = 0; n < scene.mesh.n_nodes(); ++n)
       draw(state.previous_q.segment<3>(9 * n));
+    for (Eigen::Index i = 9 * scene.mesh.n_nodes(); i < state.q.size(); i += 3)
+      draw(state.previous_q.segment<3>(i));
     for (Placement &placement : state.previous_placements)
       draw(Eigen::Map<Vector3>(placement.position.data()));
   }

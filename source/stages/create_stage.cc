@@ -3,9 +3,12 @@
 
 #include <fiberloom/base/exceptions.h>
 
+#include <fiberloom/stages/bend.h>
 #include <fiberloom/stages/biaxial.h>
+#include <fiberloom/stages/coat.h>
 #include <fiberloom/stages/load.h>
 #include <fiberloom/stages/relax.h>
+#include <fiberloom/stages/shear.h>
 #include <fiberloom/stages/weave.h>
 
 namespace fiberloom
@@ -17,11 +20,19 @@ namespace fiberloom
       return std::make_unique<Weave>(scene);
     if (name == "relax")
       return std::make_unique<Relax>(scene);
+    if (name == "coat")
+      return std::make_unique<Coat>(scene);
+    if (name == "shear")
+      return std::make_unique<Shear>(scene);
+    if (name == "bend")
+      return std::make_unique<Bend>(scene);
     if (name == "biaxial")
       return std::make_unique<Biaxial>(scene);
     if (name == "load")
       return std::make_unique<Load>(scene);
-    throw InputError("Stages: \"" + name +
-                     "\" is unknown; there are weave, relax, biaxial, load");
+    throw InputError(
+      "Stages: \"" + name +
+      "\" is unknown; there are weave, relax, coat, biaxial, shear, "
+      "bend, load");
   }
 } // namespace fiberloom

@@ -7,12 +7,15 @@
 #include <fiberloom/coupling/hold.h>
 
 #include <fiberloom/stages/load.h>
+#include <fiberloom/stages/matrix_borders.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace fiberloom
@@ -48,6 +51,16 @@ namespace fiberloom
         prescribed.reset(std::find(dof_names.begin(), dof_names.end(), word) -
                          dof_names.begin());
       return prescribed;
+    }
+
+    std::bitset<3>
+    held_displacements(const std::string &words)
+    {
+      std::bitset<3>     held;
+      std::istringstream text(words);
+      for (char word; text >> word;)
+        held.set(word - 'x');
+      return held;
     }
 
     /** A unit vector along @p function where it is longest, or 0. */
@@ -117,6 +130,8 @@ namespace fiberloom
         drives.emplace_back(parameters);
         Drive &drive = drives.back();
         find_nodes(drive);
+        if (scene.composite != nullptr)
+          matrix_nodes(drive); // throws where there are none
         drive.direction = main_direction(drive.translation, end);
         if (drive.direction.isZero(0))
           drive.direction = main_direction(drive.force, end);
@@ -159,13 +174,20 @@ namespace fiberloom
     Vector3 sum = Vector3::Zero();
     for (const unsigned int node : drive.nodes)
       sum += q.segment<3>(9 * node);
-    return sum / drive.nodes.size();
+    if (!drive.nodes.empty())
+      return sum / drive.nodes.size();
+    if (scene.composite == nullptr)
+      return sum;
+    const auto nodes = matrix_nodes(drive);
+    for (const unsigned int node : nodes)
+      sum += scene.composite->positions(q).segment<3>(3 * node);
+    return sum / nodes.size();
   }
 
 
 
   std::vector<Attachment>
-  Load::attachments(const unsigned int d, const DofVector &start) const
+  Load::fiber_attachments(const unsigned int d, const DofVector &start) const
   {
     const Drive            &drive = drives[d];
     std::vector<Attachment> attachments;
@@ -183,6 +205,29 @@ namespace fiberloom
 
 
 
+  std::vector<unsigned int>
+  Load::matrix_nodes(const Drive &drive) const
+  {
+    std::set<unsigned int> nodes;
+    for (const std::string &name :
+         dealii::Utilities::split_string_list(drive.parameters.matrix_borders,
+                                              ','))
+      {
+        const auto found =
+          scene.composite->matrix().border_nodes(*MatrixBorder::find(name));
+        if (found.empty())
+          throw InputError(
+            scene.parameters.where(drive.entry("Matrix borders")) + ": the " +
+            scene.parameters.matrix.layers + " layers have no border " + name +
+            "; allowed: x start, x end, y start, y end, and where a layer lies "
+            "bottom, top");
+        nodes.insert(found.begin(), found.end());
+      }
+    return {nodes.begin(), nodes.end()};
+  }
+
+
+
   Supports
   Load::supports(const DofVector &start) const
   {
@@ -191,9 +236,20 @@ namespace fiberloom
       {
         supports.bodies.push_back(
           {drives[d].parameters.name, prescribed_dofs(drives[d].parameters)});
-        for (const Attachment &attachment : attachments(d, start))
+        for (const Attachment &attachment : fiber_attachments(d, start))
           supports.attachments.push_back(attachment);
       }
+    if (scene.composite == nullptr)
+      return supports;
+    std::set<unsigned int> held; // an edge goes with the first of its drives
+    for (unsigned int d = 0; d < drives.size(); ++d)
+      for (const unsigned int node : matrix_nodes(drives[d]))
+        if (held.insert(node).second)
+          supports.attachments.push_back(MatrixBorders::attach(
+            *scene.composite,
+            node,
+            d,
+            held_displacements(drives[d].parameters.matrix_held)));
     return supports;
   }
 
@@ -202,12 +258,14 @@ namespace fiberloom
   void
   Load::check_support(const unsigned int d) const
   {
-    const DofVector        &q     = scene.mesh.initial();
-    const Drive            &drive = drives[d];
+    const DofVector &q     = scene.mesh.initial();
+    const Drive     &drive = drives[d];
+    if (!drive.parameters.matrix_borders.empty())
+      return; // the matrix may hinder what fibers do not
     std::vector<Attachment> held;
     try
       {
-        held = attachments(d, q);
+        held = fiber_attachments(d, q);
       }
     catch (const InputError &error)
       {

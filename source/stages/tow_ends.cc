@@ -3,6 +3,7 @@
 
 #include <fiberloom/coupling/hold.h>
 
+#include <fiberloom/stages/matrix_borders.h>
 #include <fiberloom/stages/tow_ends.h>
 
 #include <cmath>
@@ -56,7 +57,9 @@ namespace fiberloom
 
 
     Supports
-    supports(const Scene &scene, const bool axially_free)
+    supports(const Scene              &scene,
+             const bool                axially_free,
+             const MatrixBorders::Grip grip)
     {
       const auto &tows = scene.fibers.tows;
       Supports    supports;
@@ -94,6 +97,9 @@ namespace fiberloom
                        Hold::axial));
             }
       supports.bodies.push_back(ground);
+      MatrixBorders::add(scene,
+                         axially_free ? MatrixBorders::Grip::none : grip,
+                         supports);
       return supports;
     }
 
@@ -105,9 +111,10 @@ namespace fiberloom
       const auto &tows = scene.fibers.tows;
       const bool  after_load =
         !state.stages_done.empty() && state.stages_done.back() == "load";
-      if (state.placements.size() == 2 * tows.size() + 1 && !after_load)
-        return;
-      state.placements.assign(2 * tows.size() + 1, Placement());
+      const unsigned int n = 2 * tows.size() + 1;
+      if (state.placements.size() >= n && !after_load)
+        return MatrixBorders::place(scene, n, state);
+      state.placements.assign(n, Placement());
       for (unsigned int t = 0; t < tows.size(); ++t)
         for (unsigned int side = 0; side < 2; ++side)
           {
@@ -117,6 +124,7 @@ namespace fiberloom
             state.placements[body(t, side)].position =
               mean / tows[t].fibers.size();
           }
+      MatrixBorders::place(scene, n, state);
     }
 
 
@@ -132,6 +140,12 @@ namespace fiberloom
           pull += .5 * axis(scene.fibers.tows[t])
                          .dot(reactions[body(t, 1)].head<3>() -
                               reactions[body(t, 0)].head<3>());
+      // On the matrix, start and end of x, then of y.
+      const unsigned int border = 2 * scene.fibers.tows.size() + 1 +
+                                  (family == Tow::Family::warp ? 0 : 2);
+      const unsigned int c = family == Tow::Family::warp ? 0 : 1;
+      if (border < reactions.size())
+        pull += .5 * (reactions[border + 1][c] - reactions[border][c]);
       return pull;
     }
   } // namespace TowEnds

@@ -33,6 +33,14 @@ namespace fiberloom
     double poisson_ratio            = 0.22;
     double density                  = 0; // [t/mm^3]
     unsigned int elements_per_fiber = 0; // automatic
+
+    /** Mean, where these tows cross @p crossing [mm]. */
+    double
+    element_length(const TowParameters &crossing) const
+    {
+      return ((crossing.tows - 1) * crossing.tow_spacing + 2 * overhang) /
+             elements_per_fiber;
+    }
   };
 
   struct FabricParameters
@@ -99,6 +107,8 @@ namespace fiberloom
     std::string held; // "x y z spin tilt": instead of hold, in detail
     std::string
       free; // degrees of freedom of the body left free: "x y z rx ry rz"
+    std::string matrix_borders;        // "x start, top"
+    std::string matrix_held = "x y z"; // components held of their nodes
     std::string center; // "x y z" of the reference point [mm], else the mean
     std::string translation = "0; 0; 0"; // [mm] functions of t
     std::string rotation = "0; 0; 0"; // [rad] rotation vector, functions of t
@@ -135,6 +145,45 @@ namespace fiberloom
     double      largest_step      = 0.2; // of the largest strain
   };
 
+  /**
+   * The layers of matrix that stage "coat" adds. Zero marks an automatic value,
+   * see Parameters::resolve().
+   */
+  struct MatrixParameters
+  {
+    std::string  layers    = "none";     // none | upper | lower | both | filled
+    double       thickness = 0;          // beyond the outermost skin [mm]
+    double       overlap   = 0;          // of layers and outer fibers [mm]
+    double       size_x = 0, size_y = 0; // [mm], 0: that of the fibers
+    unsigned int cells_along_x           = 0;
+    unsigned int cells_along_y           = 0;
+    unsigned int cells_through_thickness = 1;
+    unsigned int degree                  = 2;
+    std::string  law                = "neo-Hooke"; // | Saint Venant-Kirchhoff
+    double       young_modulus      = 50;          // [MPa]
+    double       poisson_ratio      = 0.35;
+    double       junction_spacing   = 0; // along the fibers [mm]
+    double       junction_stiffness = 0; // per length [MPa], 0: by the modulus
+    double       junction_reach     = 4; // over the fiber radius
+  };
+
+  /** Stage "shear": the sample as a frame of hinged bars. */
+  struct ShearParameters
+  {
+    double largest_angle = 0.7;  // [rad]
+    double first_step    = 0.05; // of the angle [rad]
+    double largest_step  = 0.05; // of the angle [rad]
+  };
+
+  /** Stage "bend": two opposite borders turn against each other. */
+  struct BendParameters
+  {
+    double      largest_angle = 1.5707963267948966; // between them [rad]
+    std::string direction     = "warp"; // the one that is bent: warp | fill
+    double      first_step    = 0.05;   // of the angle [rad]
+    double      largest_step  = 0.05;   // of the angle [rad]
+  };
+
   /** Stage "load", in which t runs from 0 to @p end . */
   struct LoadParameters
   {
@@ -168,7 +217,8 @@ namespace fiberloom
     double       growth           = 1.3;
     unsigned int largest_cuts     = 8;
     std::string  linear_solver =
-      "automatic"; // automatic | double factor | single factor | multigrid
+      "automatic"; // automatic | double factor | single factor | blocks |
+                   // multigrid
     bool benchmark = false;
   };
 
@@ -203,10 +253,19 @@ namespace fiberloom
     std::vector<DriveParameters> drives;
     ContactParameters            contact;
     WeavingParameters            weaving;
+    MatrixParameters             matrix;
     BiaxialParameters            biaxial;
+    ShearParameters              shear;
+    BendParameters               bend;
     LoadParameters               load;
     SolverParameters             solver;
     OutputParameters             output;
+
+    bool
+    has_matrix() const
+    {
+      return matrix.layers != "none";
+    }
 
     bool
     is_fabric() const
@@ -260,6 +319,9 @@ namespace fiberloom
   private:
     std::string                        source;    // the file
     std::map<std::string, std::string> locations; // of the entries set
+
+    void
+    resolve_matrix();
 
     void
     declare(ParameterCatalogue &catalogue);

@@ -15,21 +15,33 @@ namespace fiberloom
 {
   /**
    * Numbering and ownership of the unknowns. They come in blocks that belong
-   * together: nine for a fiber node, six for a rigid body; fiber nodes first.
-   * Nodes are dealt to the ranks in equal numbers along a space-filling curve
-   * through the initial placement, bodies in turn.
+   * together: nine for a fiber node, three for a node of the matrix, six for a
+   * rigid body; fiber nodes first, bodies last. So the dofs of nodes are
+   * numbered as those of a State are. Nodes are dealt to the ranks in equal
+   * numbers along a space-filling curve through the initial placement, bodies
+   * in turn.
    */
   class BlockLayout
   {
   public:
-    BlockLayout(const FiberMesh   &mesh,
-                const unsigned int n_bodies,
-                const MPI_Comm     communicator);
+    /** @p matrix_nodes : stress-free positions, three components each; empty
+     * where there is no matrix. */
+    BlockLayout(const FiberMesh       &mesh,
+                const Eigen::VectorXd &matrix_nodes,
+                const unsigned int     n_bodies,
+                const MPI_Comm         communicator);
 
     unsigned int
     n_blocks() const
     {
       return first_dofs.size() - 1;
+    }
+
+    /** Of fibers and matrix. */
+    unsigned int
+    n_nodes() const
+    {
+      return n_all_nodes;
     }
 
     unsigned int
@@ -53,7 +65,7 @@ namespace fiberloom
     unsigned int
     body_block(const unsigned int body) const
     {
-      return n_nodes + body;
+      return n_all_nodes + body;
     }
 
     unsigned int
@@ -96,7 +108,7 @@ namespace fiberloom
 
   private:
     MPI_Comm                  comm;
-    unsigned int              n_nodes;
+    unsigned int              n_all_nodes;
     std::vector<unsigned int> first_dofs, owners, owned, local_first_dofs;
     std::vector<int>          local_blocks;
     dealii::IndexSet          owned_dof_set;

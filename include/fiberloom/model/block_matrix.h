@@ -23,8 +23,11 @@ namespace fiberloom
   class BlockMatrix : public Epetra_Operator
   {
   public:
-    /** Rotations of bodies count as displacements at @p lever [mm]. */
-    BlockMatrix(const BlockLayout &layout, const double lever);
+    /** Rotations of bodies count as displacements at @p lever [mm]; the matrix
+     * around the fibers is as stiff as @p matrix_weight times these. */
+    BlockMatrix(const BlockLayout &layout,
+                const double       lever,
+                const double       matrix_weight = 1);
 
     /**
      * Sets the pattern: @p columns has, for each owned block, the sorted
@@ -37,8 +40,9 @@ namespace fiberloom
     void
     set_zero();
 
-    /** Adds @p value to the diagonal entries of displacements, times the
-     * lever squared to those of rotations. */
+    /** Adds @p value to the diagonal entries of fibers and of displacements,
+     * times the lever squared to those of rotations, times its weight to those
+     * of the matrix. */
     void
     add_to_diagonal(const double value);
 
@@ -144,7 +148,7 @@ namespace fiberloom
     covers(const std::vector<std::vector<unsigned int>> &columns) const;
 
     const BlockLayout &numbering;
-    const double       lever;
+    const double       lever, matrix_weight;
     Epetra_Map         owned_map;
     unsigned int       version = 0;
 

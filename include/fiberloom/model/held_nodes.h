@@ -41,10 +41,11 @@ namespace fiberloom
                const NodeVector &dofs_after);
 
   /**
-   * Forces and stiffness of a group of nodes, some of which are held by rigid
-   * bodies, transformed to the unknowns of System: dq = F dq_local +
-   * dc + dtheta x (q - c), with the second derivative of the rotation in the
-   * tangent, since the map from the unknowns to the dofs is not linear.
+   * Forces and stiffness of a group of nodes, of fibers or of the matrix, some
+   * of which are held by rigid bodies, transformed to the unknowns of System:
+   * dq = F dq_local + dc + dtheta x (q - c), with the second derivative of the
+   * rotation in the tangent, since the map from the unknowns to the dofs is not
+   * linear.
    */
   class HeldGroup
   {
@@ -59,7 +60,7 @@ namespace fiberloom
     void
     set_force(const unsigned int a, const Vector &value)
     {
-      forces.segment<9>(9 * a) = value;
+      forces.segment(offset(a), size(a)) = value;
     }
 
     template <class Matrix>
@@ -68,7 +69,7 @@ namespace fiberloom
                   const unsigned int b,
                   const Matrix      &value)
     {
-      matrix.block<9, 9>(9 * a, 9 * b) = value;
+      matrix.block(offset(a), offset(b), size(a), size(b)) = value;
     }
 
     void
@@ -104,18 +105,29 @@ namespace fiberloom
     unsigned int
     offset(const unsigned int a) const
     {
-      return a < n_nodes ? 9 * a : 9 * n_nodes + 6 * (a - n_nodes);
+      return offsets[a];
     }
 
     unsigned int
     size(const unsigned int a) const
     {
-      return a < n_nodes ? 9 : 6;
+      return offsets[a + 1] - offsets[a];
     }
+
+    /** Of the held node @p a with so many dofs. */
+    template <int n_dofs>
+    void
+    transform_node(const unsigned int            a,
+                   const DofVector              &q,
+                   const std::vector<Placement> &placements,
+                   const bool                    with_tangent,
+                   Eigen::MatrixXd              &geometric);
 
     const unsigned int              n_nodes;
     const Supports                 &supports;
+    const BlockLayout              &layout;
     std::vector<unsigned int>       blocks;        // nodes, then bodies
+    std::vector<unsigned int>       offsets;       // of their dofs
     std::vector<const Attachment *> held;          // by node, null if free
     std::vector<unsigned int>       body_position; // of a held node, in blocks
     Eigen::VectorXd                 forces;

@@ -9,9 +9,8 @@
 #include <fiberloom/coupling/rigid_body.h>
 
 #include <fiberloom/model/block_layout.h>
+#include <fiberloom/model/held_nodes.h>
 #include <fiberloom/model/state.h>
-
-#include <Eigen/Core>
 
 #include <vector>
 
@@ -83,6 +82,10 @@ namespace fiberloom
                 const double   load_step) const;
 
   private:
+    /** The dofs of a node, zeros behind the three of one of the matrix. */
+    NodeVector
+    node_dofs(const Eigen::VectorXd &dofs, const unsigned int node) const;
+
     const FiberMesh   &mesh;
     const Supports    &supports;
     const BlockLayout &layout;

@@ -10,6 +10,8 @@
 
 #include <fiberloom/coupling/rigid_body.h>
 
+#include <fiberloom/model/composite.h>
+
 #include <boost/serialization/vector.hpp>
 
 #include <string>
@@ -24,7 +26,9 @@ namespace fiberloom
    */
   struct State
   {
-    DofVector              q;          // fiber dofs, see FiberMesh
+    // Fiber dofs, see FiberMesh, then positions of the matrix's nodes.
+    DofVector              q;
+    MatrixState            matrix;
     std::vector<Placement> placements; // of the rigid bodies of the stage
     std::vector<Placement> stage_start_placements;
     DofVector              stage_start_q;
@@ -72,6 +76,7 @@ namespace fiberloom
           for (auto &value : *dofs)
             ar &value;
         }
+      ar                                     &matrix;
       ar &placements &stage_start_placements &contact;
       ar &previous_placements                &previous_load;
       ar &stage &increment &load &step       &dissipation;

@@ -20,8 +20,11 @@ namespace fiberloom
   /** Rigid motions, the owned parts: three translations, three rotations. */
   using RigidModes = std::array<std::vector<double>, 6>;
 
+  struct JunctionGroup;
+
   /**
-   * The equations of one stage: fibers, contacts and rigid bodies, with the
+   * The equations of one stage: fibers, contacts, rigid bodies and, where there
+   * is one, matrix with its junctions, with the
    * nodes held by bodies eliminated. Each rank evaluates what touches the
    * blocks it owns, so nothing is sent while assembling.
    *
@@ -32,7 +35,11 @@ namespace fiberloom
   class System
   {
   public:
-    System(const FiberMesh &mesh, const Supports &supports, MPI_Comm comm);
+    /** @p composite : null where there is no matrix. */
+    System(const FiberMesh &mesh,
+           const Supports  &supports,
+           MPI_Comm         comm,
+           const Composite *composite = nullptr);
 
     /** Sets the pattern for elements and @p contacts . */
     void
@@ -56,7 +63,8 @@ namespace fiberloom
                       const Targets               &targets,
                       std::vector<ContactElement> &contacts);
 
-    /** Potential of fibers and contacts [N mm], summed over the ranks. */
+    /** Potential of fibers, contacts, matrix and junctions [N mm], summed over
+     * the ranks. */
     double
     energy(const State                       &state,
            const std::vector<ContactElement> &contacts) const;
@@ -89,7 +97,7 @@ namespace fiberloom
     double
     force_scale() const;
 
-    /** What each body has to exert on the fibers [N], [N mm]. */
+    /** What each body has to exert on fibers and matrix [N], [N mm]. */
     const std::vector<BodyVector> &
     reactions() const
     {
@@ -155,6 +163,24 @@ namespace fiberloom
                  const Targets               &targets,
                  std::vector<ContactElement> &contacts);
 
+    template <bool with_tangent>
+    void
+    add_matrix(const State &state);
+
+    template <bool with_tangent>
+    void
+    add_junctions(const State &state);
+
+    template <bool with_tangent>
+    void
+    scatter_diagonals(const JunctionGroup &group);
+
+    double
+    matrix_energy(const State &state) const;
+
+    void
+    set_element_pattern();
+
     template <bool with_tangent, class Group>
     void
     scatter(const State &state, const Group &group);
@@ -175,6 +201,7 @@ namespace fiberloom
 
     const FiberMesh &mesh;
     const Supports  &supports;
+    const Composite *composite; // or null
     BlockLayout      numbering;
     Motion           movement;
     BlockMatrix      system_matrix;

@@ -70,7 +70,9 @@ namespace fiberloom
      * are there already. Does nothing for a stage that is continued.
      */
     void
-    begin_stage(const std::string &stage, const State &state);
+    begin_stage(const std::string &stage,
+                const State       &state,
+                const Composite   *composite = nullptr);
 
     /** After an accepted increment. */
     void
@@ -99,6 +101,10 @@ namespace fiberloom
     }
 
   private:
+    /** For summary.json. */
+    void
+    count(const Composite *composite);
+
     std::string
     path(const std::string &file) const;
 
@@ -108,6 +114,7 @@ namespace fiberloom
     void
     write_fields(const State                       &state,
                  const std::vector<ContactElement> &contacts,
+                 const Composite                   *composite,
                  const std::string                 &label);
 
     void
@@ -137,6 +144,8 @@ namespace fiberloom
     FieldSeries                  fiber_series;
     FieldSeries                  section_series;
     FieldSeries                  contact_series;
+    FieldSeries                  matrix_series;
+    FieldSeries                  junction_series;
     LoadingCurve                 curve;
     ReactionTable                reactions;
     std::vector<StageStatistics> statistics;

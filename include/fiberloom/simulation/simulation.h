@@ -12,6 +12,7 @@
 
 #include <fiberloom/output/writer.h>
 
+#include <memory>
 #include <optional>
 
 namespace fiberloom
@@ -66,9 +67,14 @@ namespace fiberloom
     int
     run_stages(State &state, OutputWriter &writer);
 
+    /** The matrix of @p state , which stage @p stage gives it if it is to; null
+     * if there is none. */
+    std::unique_ptr<Composite>
+    make_composite(const std::string &stage, State &state);
+
     /** Creates each stage, whose checks of the input come with it. */
     std::vector<std::string>
-    stage_notes() const;
+    stage_notes(const State &state) const;
 
     void
     log_what_is_left_out();

@@ -57,6 +57,10 @@ namespace fiberloom
     void
     show(const State &state, const IncrementObserver &observer);
 
+    /** Sum of the normal forces between different tows of one family [N]. */
+    double
+    force_of_neighbors() const;
+
     CurveRow
     balance(const State &state) const;
 

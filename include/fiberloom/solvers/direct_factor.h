@@ -28,7 +28,18 @@ namespace fiberloom
       double_precision
     };
 
-    DirectFactor(const MPI_Comm comm, const Precision precision);
+    /** What of a composite is factorised; the rest counts as the unit matrix.
+     */
+    enum class Part
+    {
+      all,
+      fibers_and_bodies,
+      matrix
+    };
+
+    DirectFactor(const MPI_Comm  comm,
+                 const Precision precision,
+                 const Part      part = Part::all);
     ~DirectFactor();
 
     /** Orders the pattern of @p matrix if it has changed; throws StageFailure.

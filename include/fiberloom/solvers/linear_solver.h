@@ -4,6 +4,7 @@
 #ifndef fiberloom_solvers_linear_solver_h
 #define fiberloom_solvers_linear_solver_h
 
+#include <fiberloom/solvers/block_preconditioner.h>
 #include <fiberloom/solvers/direct_factor.h>
 #include <fiberloom/solvers/multigrid.h>
 
@@ -25,6 +26,9 @@ namespace fiberloom
    * A factor in single precision around which the method does not converge, or
    * that stays indefinite, gives way to one in double precision, for good.
    *
+   * For a composite, blocks asks for a factor of the fibers and one of the
+   * matrix in place of that of both.
+   *
    * Multigrid stands in for the factor where asked for; it does not count
    * negative pivots, so a solution that is no descent tells that the matrix is
    * indefinite. Systems for which it does not converge get the factor.
@@ -32,7 +36,8 @@ namespace fiberloom
   class LinearSolver
   {
   public:
-    /** @p name : automatic, double factor, single factor or multigrid. */
+    /** @p name : automatic, double factor, single factor, blocks or multigrid.
+     */
     LinearSolver(const System &system, const std::string &name);
 
     struct Outcome
@@ -85,10 +90,18 @@ namespace fiberloom
                        const bool     may_be_indefinite,
                        Outcome       &outcome);
 
-    MPI_Comm                      communicator;
-    DirectFactor::Precision       precision;
-    std::unique_ptr<DirectFactor> factor;
-    std::unique_ptr<Multigrid>    multigrid; // or null
+    /** Whether that came to its end with a descent. */
+    bool
+    solve_by_blocks(BlockMatrix   &matrix,
+                    Epetra_Vector &b,
+                    Epetra_Vector &x,
+                    Outcome       &outcome);
+
+    MPI_Comm                             communicator;
+    DirectFactor::Precision              precision;
+    std::unique_ptr<DirectFactor>        factor;
+    std::unique_ptr<BlockPreconditioner> blocks;    // or null
+    std::unique_ptr<Multigrid>           multigrid; // or null
   };
 } // namespace fiberloom
 

@@ -93,8 +93,13 @@ namespace fiberloom
     void
     find_nodes(Drive &drive);
 
+    /** On the borders that the drive holds. Throws InputError where no layer
+     * has such a border. */
+    std::vector<unsigned int>
+    matrix_nodes(const Drive &drive) const;
+
     std::vector<Attachment>
-    attachments(const unsigned int d, const DofVector &start) const;
+    fiber_attachments(const unsigned int d, const DofVector &start) const;
 
     /** Throws InputError when a free motion of drive @p d meets no
      * resistance. */

@@ -38,6 +38,7 @@ namespace fiberloom
     CurveRow                           curve;
     const StageStatistics             &statistics; // of the stage so far
     bool                               last;       // of the stage
+    const Composite                   *composite;  // null without matrix
   };
 
   /** What every stage is made from. */
@@ -46,6 +47,7 @@ namespace fiberloom
     const Parameters &parameters;
     const FiberSet   &fibers;
     const FiberMesh  &mesh;
+    const Composite  *composite = nullptr; // null without matrix
   };
 
   /**
@@ -128,6 +130,14 @@ namespace fiberloom
     virtual CurveRow
     curve(const State                   &state,
           const std::vector<BodyVector> &reactions) const = 0;
+
+    /** Whether the curve also gets the force with which neighboring tows of a
+     * family press on each other. */
+    virtual bool
+    shows_neighbors() const
+    {
+      return false;
+    }
 
     /** Whether the curve also gets contact forces, energies and pivots. */
     virtual bool

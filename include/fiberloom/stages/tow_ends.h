@@ -4,15 +4,16 @@
 #ifndef fiberloom_stages_tow_ends_h
 #define fiberloom_stages_tow_ends_h
 
-#include <fiberloom/stages/stage.h>
+#include <fiberloom/stages/matrix_borders.h>
 
 namespace fiberloom
 {
   /**
    * The rigid bodies of a fabric: one on each end of each tow, in the order of
-   * the tows, start before end, then the ground. A tow end holds the centres
-   * of its fibers and the direction of their first section vector, so that
-   * they cannot spin but may slope up and down.
+   * the tows, start before end, then the ground, then those on the borders of
+   * a matrix if there is one. A tow end holds the
+   * centres of its fibers and the direction of their first section vector, so
+   * that they cannot spin but may slope up and down.
    */
   namespace TowEnds
   {
@@ -30,16 +31,20 @@ namespace fiberloom
     /**
      * All dofs prescribed, or, if @p axially_free , all but the translations
      * along the tows; then the middle of every fiber is held along its axis
-     * by the ground.
+     * by the ground, and the matrix is free. Else its borders are held as @p
+     * grip says.
      */
     Supports
-    supports(const Scene &scene, const bool axially_free);
+    supports(const Scene              &scene,
+             const bool                axially_free,
+             const MatrixBorders::Grip grip = MatrixBorders::Grip::across);
 
     /** Placements at the mean of the held centres, where @p state has none. */
     void
     place(const Scene &scene, State &state);
 
-    /** Mean axial pull on the two ends of all tows of a family [N]. */
+    /** Mean axial pull on the two ends of all tows of a family and, where it is
+     * held, of the matrix across the same borders [N]. */
     double
     pull(const Scene                   &scene,
          const Tow::Family              family,

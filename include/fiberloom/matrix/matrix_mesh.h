@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_matrix_matrix_mesh_h
+#define fiberloom_matrix_matrix_mesh_h
+
+#include <fiberloom/matrix/hex_element.h>
+#include <fiberloom/matrix/layer_geometry.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/grid/grid_tools_cache.h>
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fiberloom
+{
+  /** A flat border of the layers. */
+  struct MatrixBorder
+  {
+    unsigned int axis; // 0 to 2: x, y, z
+    unsigned int side; // 0: start or bottom, 1: end or top
+
+    /** Of "x start", "x end", "y start", "y end", "bottom", "top"; nothing for
+     * another name. */
+    static std::optional<MatrixBorder>
+    find(const std::string &name);
+  };
+
+  /** Where in the matrix: a cell and coordinates in [0, 1]^3. */
+  struct CellPoint
+  {
+    unsigned int cell;
+    Vector3      coordinates;
+  };
+
+  /**
+   * The layers of matrix as hexahedra of deal.II with Lagrange elements of
+   * degree 1 or 2. Every rank has all cells, as it has all fibers; who
+   * assembles what is decided by who owns its nodes. Node n has the
+   * displacements of x, y and z.
+   */
+  class MatrixMesh
+  {
+  public:
+    MatrixMesh(const LayerGeometry   &geometry,
+               const unsigned int     degree,
+               const HyperelasticLaw &law);
+
+    unsigned int
+    n_nodes() const
+    {
+      return stress_free.size() / 3;
+    }
+
+    unsigned int
+    n_cells() const
+    {
+      return elements.size();
+    }
+
+    /** Stress-free positions of the nodes, three components each [mm]. */
+    const Eigen::VectorXd &
+    reference() const
+    {
+      return stress_free;
+    }
+
+    /** Of a cell, in deal.II's order. */
+    const std::vector<unsigned int> &
+    nodes(const unsigned int cell) const
+    {
+      return cell_nodes[cell];
+    }
+
+    const HexElement &
+    element(const unsigned int cell) const
+    {
+      return elements[cell];
+    }
+
+    unsigned int
+    degree() const
+    {
+      return fe.degree;
+    }
+
+    const HyperelasticLaw &
+    law() const
+    {
+      return material;
+    }
+
+    /** Mean edge of the cells: volume to the power of 1/3 [mm]. */
+    double
+    cell_size() const;
+
+    /** Largest of the cells' sum over the quadrature points of the volume times
+     * the squared gradients of the shape functions: times a modulus, the
+     * stiffness of a cell [mm]. */
+    double
+    largest_slope() const
+    {
+      return slope;
+    }
+
+    /** All nodes on @p border ; none where no layer reaches it. */
+    std::vector<unsigned int>
+    border_nodes(const MatrixBorder &border) const;
+
+    /** The material point that is at @p position without stress; nothing
+     * outside every cell. */
+    std::optional<CellPoint>
+    locate(const Vector3 &position) const;
+
+    /** Of the cell's nodes, at @p point . */
+    std::vector<double>
+    shape_values(const CellPoint &point) const;
+
+    /** Deformation gradient at a node of a cell; positions of all nodes as in
+     * #reference . */
+    Matrix3
+    deformation_gradient(const Eigen::VectorXd &x,
+                         const unsigned int     cell,
+                         const unsigned int     node_of_cell) const;
+
+    /** Placement of the cell's nodes in @p x . */
+    Eigen::VectorXd
+    cell_positions(const Eigen::VectorXd &x, const unsigned int cell) const;
+
+  private:
+    void
+    create_cells(const LayerGeometry &geometry);
+
+    void
+    set_up_elements();
+
+    const HyperelasticLaw                  material;
+    const dealii::FE_Q<3>                  fe;
+    const dealii::MappingQ1<3>             mapping;
+    dealii::Triangulation<3>               triangulation;
+    dealii::DoFHandler<3>                  dof_handler; // one dof a node
+    std::array<bool, 2>                    has_flat_face{{false, false}};
+    Eigen::VectorXd                        stress_free;
+    std::vector<std::vector<unsigned int>> cell_nodes;
+    std::vector<HexElement>                elements;
+    std::vector<std::vector<HexElement::Gradients>> node_gradients;
+    std::unique_ptr<dealii::GridTools::Cache<3>>    search;
+    double                                          volume = 0; // [mm^3]
+    double                                          slope  = 0; // [mm]
+  };
+} // namespace fiberloom
+
+#endif

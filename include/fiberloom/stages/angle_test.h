@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_stages_angle_test_h
+#define fiberloom_stages_angle_test_h
+
+#include <fiberloom/stages/tow_ends.h>
+
+namespace fiberloom
+{
+  /**
+   * A test in which an angle grows and all bodies of a fabric, those on tow
+   * ends and those on borders of the matrix, follow it by a formula.
+   */
+  class AngleTest : public Stage
+  {
+  public:
+    AngleTest(const Scene &scene,
+              const double largest_angle,
+              const double first_step,
+              const double largest_step);
+
+    void
+    begin(State &state) const override;
+
+    std::vector<BodyTarget>
+    targets(const std::vector<Placement> &start,
+            const double                  load) const override;
+
+    ContactRule
+    rule(const double load) const override;
+
+    double
+    first_step(const State &) const override
+    {
+      return first_angle / largest_angle;
+    }
+
+    double
+    largest_step() const override
+    {
+      return largest_angle_step / largest_angle;
+    }
+
+    bool
+    shows_neighbors() const override
+    {
+      return true;
+    }
+
+  protected:
+    /** Which of the four borders a body belongs to, as in MatrixBorders; the
+     * ground to none, which is 4. */
+    unsigned int
+    border(const unsigned int body) const;
+
+    /** Whether what the body holds runs along x: a tow of warp, or the matrix
+     * on a border across y. */
+    bool
+    runs_along_x(const unsigned int body) const;
+
+    /** Where body number @p body is when the angle has grown to @p angle ; at
+     * the start of the stage all were at @p start . */
+    virtual Placement
+    move(const std::vector<Placement> &start,
+         const unsigned int            body,
+         const double                  angle) const = 0;
+
+    /** How a point moves at first with the angle, for a first guess [mm/rad].
+     */
+    virtual Vector3
+    velocity(const Vector3 &position) const = 0;
+
+    /** How what runs along x or, if not @p along_x , along y turns there. */
+    virtual Vector3
+    spin(const Vector3 &position, const bool along_x) const = 0;
+
+    double
+    angle(const State &state) const
+    {
+      return state.load * largest_angle;
+    }
+
+    const double largest_angle, first_angle, largest_angle_step; // [rad]
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_stages_bend_h
+#define fiberloom_stages_bend_h
+
+#include <fiberloom/stages/angle_test.h>
+
+namespace fiberloom
+{
+  /**
+   * Section 6.4 of the paper: two opposite borders turn by half the angle each,
+   * against each other, about axes in the middle of the fabric whose distance
+   * is that of the ends of an arc as long as the sample. The other borders are
+   * free.
+   */
+  class Bend : public AngleTest
+  {
+  public:
+    explicit Bend(const Scene &scene);
+
+    Supports
+    supports(const DofVector &start) const override;
+
+    CurveRow
+    curve(const State                   &state,
+          const std::vector<BodyVector> &reactions) const override;
+
+  protected:
+    Placement
+    move(const std::vector<Placement> &start,
+         const unsigned int            body,
+         const double                  angle) const override;
+
+    Vector3
+    velocity(const Vector3 &position) const override;
+
+    Vector3
+    spin(const Vector3 &position, const bool along_x) const override;
+
+  private:
+    /** Middle of the tow ends on the border at side 0 or 1. */
+    Vector3
+    border_center(const std::vector<Placement> &placements,
+                  const unsigned int            side) const;
+
+    bool
+    is_bent(const unsigned int body) const
+    {
+      return border(body) / 2 == axis;
+    }
+
+    /** Of the sample before weaving [mm]. */
+    double
+    length() const;
+
+    const unsigned int axis; // 0: warp is bent, 1: fill
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_stages_shear_h
+#define fiberloom_stages_shear_h
+
+#include <fiberloom/stages/angle_test.h>
+
+namespace fiberloom
+{
+  /** Section 6.3 of the paper: a frame of four hinged bars of constant length
+   * along the borders, warp and fill turning by half the angle each. */
+  class Shear : public AngleTest
+  {
+  public:
+    explicit Shear(const Scene &scene);
+
+    Supports
+    supports(const DofVector &start) const override;
+
+    CurveRow
+    curve(const State                   &state,
+          const std::vector<BodyVector> &reactions) const override;
+
+  protected:
+    Placement
+    move(const std::vector<Placement> &start,
+         const unsigned int            body,
+         const double                  angle) const override;
+
+    Vector3
+    velocity(const Vector3 &position) const override;
+
+    Vector3
+    spin(const Vector3 &position, const bool along_x) const override;
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/parameter_catalogue.h>
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/matrix/layer_geometry.h>
+#include <fiberloom/matrix/woven_surface.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+
+namespace fiberloom
+{
+  namespace
+  {
+    // Of a corner, see worst_corner(); a corner of 15 degrees has .26.
+    constexpr double       least_corner       = .2;
+    constexpr unsigned int largest_smoothings = 200;
+
+    std::vector<double>
+    grid_lines(const double low, const double high, const unsigned int n_cells)
+    {
+      std::vector<double> lines;
+      for (unsigned int i = 0; i <= n_cells; ++i)
+        lines.push_back(low + (high - low) * i / n_cells);
+      return lines;
+    }
+
+    /** Cells between heights over a grid, one for each vertex, x first. */
+    LayerBlock
+    make_block(const std::vector<double> &x,
+               const std::vector<double> &y,
+               const std::vector<double> &bottom,
+               const std::vector<double> &top,
+               const unsigned int         n_through)
+    {
+      LayerBlock block;
+      block.n_cells = {{static_cast<unsigned int>(x.size() - 1),
+                        static_cast<unsigned int>(y.size() - 1),
+                        n_through}};
+      for (unsigned int k = 0; k <= n_through; ++k)
+        for (unsigned int j = 0; j < y.size(); ++j)
+          for (unsigned int i = 0; i < x.size(); ++i)
+            {
+              const unsigned int v = i + x.size() * j;
+              const double       t = double(k) / n_through;
+              block.vertices.insert(block.vertices.end(),
+                                    {x[i],
+                                     y[j],
+                                     bottom[v] + t * (top[v] - bottom[v])});
+            }
+      return block;
+    }
+
+    void
+    repair_or_refuse(LayerBlock &block, const unsigned int k_face)
+    {
+      if (!repair(block, k_face))
+        throw InputError(
+          "Matrix: the woven surface is too rough for the cells, whose worst "
+          "corner stays at " +
+          exact_text(worst_corner(block)) + " of a right one's volume; " +
+          "allowed: fewer Cells along x and y, or a larger Thickness");
+    }
+
+    void
+    check_apart(const std::vector<double> &lower,
+                const std::vector<double> &upper)
+    {
+      for (unsigned int v = 0; v < upper.size(); ++v)
+        if (!(upper[v] > lower[v]))
+          throw InputError("Matrix: the two layers meet inside the fabric; "
+                           "allowed: a smaller Overlap, or filled as Layers");
+    }
+  } // namespace
+
+
+
+  Extent
+  skin_extent(const FiberMesh &mesh, const DofVector &q)
+  {
+    Extent extent{Vector3::Constant(std::numeric_limits<double>::max()),
+                  Vector3::Constant(-std::numeric_limits<double>::max())};
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      {
+        const Vector3 center = q.segment<3>(9 * n);
+        const Vector3 reach  = (q.segment<3>(9 * n + 3).cwiseAbs2() +
+                               q.segment<3>(9 * n + 6).cwiseAbs2())
+                                .cwiseSqrt();
+        extent.low  = extent.low.cwiseMin(center - reach);
+        extent.high = extent.high.cwiseMax(center + reach);
+      }
+    return extent;
+  }
+
+
+
+  unsigned int
+  n_layer_nodes(const MatrixParameters &parameters)
+  {
+    const unsigned int n_layers = parameters.layers == "none" ? 0 :
+                                  parameters.layers == "both" ? 2 :
+                                                                1;
+    return n_layers * (parameters.degree * parameters.cells_along_x + 1) *
+           (parameters.degree * parameters.cells_along_y + 1) *
+           (parameters.degree * parameters.cells_through_thickness + 1);
+  }
+
+
+
+  LayerGeometry
+  build_layers(const MatrixParameters &parameters,
+               const FiberMesh        &mesh,
+               const DofVector        &q)
+  {
+    Extent            extent = skin_extent(mesh, q);
+    const std::string layers = parameters.layers;
+    for (const unsigned int c : {0, 1})
+      if (const double size = c == 0 ? parameters.size_x : parameters.size_y;
+          size > 0)
+        {
+          const double middle = .5 * (extent.low[c] + extent.high[c]);
+          extent.low[c]       = middle - .5 * size;
+          extent.high[c]      = middle + .5 * size;
+        }
+    const auto x =
+      grid_lines(extent.low.x(), extent.high.x(), parameters.cells_along_x);
+    const auto y =
+      grid_lines(extent.low.y(), extent.high.y(), parameters.cells_along_y);
+    const unsigned int        n = parameters.cells_through_thickness;
+    const std::vector<double> bottom(x.size() * y.size(),
+                                     extent.low.z() - parameters.thickness),
+      top(x.size() * y.size(), extent.high.z() + parameters.thickness);
+
+    LayerGeometry geometry;
+    if (layers == "filled")
+      {
+        geometry.blocks.push_back(make_block(x, y, bottom, top, n));
+        return geometry;
+      }
+
+    std::vector<double> lower = surface_heights(mesh, q, Side::lower, x, y),
+                        upper = surface_heights(mesh, q, Side::upper, x, y);
+    for (double &height : lower)
+      height += parameters.overlap;
+    for (double &height : upper)
+      height -= parameters.overlap;
+    if (layers == "both")
+      check_apart(lower, upper);
+    if (layers == "lower" || layers == "both")
+      {
+        geometry.blocks.push_back(make_block(x, y, bottom, lower, n));
+        repair_or_refuse(geometry.blocks.back(), n);
+      }
+    if (layers == "upper" || layers == "both")
+      {
+        geometry.blocks.push_back(make_block(x, y, upper, top, n));
+        repair_or_refuse(geometry.blocks.back(), 0);
+      }
+    return geometry;
+  }
+
+
+
+  double
+  worst_corner(const LayerBlock &block)
+  {
+    const auto &n     = block.n_cells;
+    double      worst = 1;
+    for (unsigned int k = 0; k < n[2]; ++k)
+      for (unsigned int j = 0; j < n[1]; ++j)
+        for (unsigned int i = 0; i < n[0]; ++i)
+          for (unsigned int corner = 0; corner < 8; ++corner)
+            {
+              const unsigned int a = corner % 2, b = corner / 2 % 2,
+                                 c = corner / 4;
+              const auto edge = [&](const Vector3 &from, const Vector3 &to) {
+                return Vector3(to - from).normalized();
+              };
+              const Vector3 along_x = edge(block.vertex(i, j + b, k + c),
+                                           block.vertex(i + 1, j + b, k + c)),
+                            along_y = edge(block.vertex(i + a, j, k + c),
+                                           block.vertex(i + a, j + 1, k + c)),
+                            along_z = edge(block.vertex(i + a, j + b, k),
+                                           block.vertex(i + a, j + b, k + 1));
+              worst = std::min(worst, along_x.cross(along_y).dot(along_z));
+            }
+    return worst;
+  }
+
+
+
+  bool
+  repair(LayerBlock &block, const unsigned int k_face)
+  {
+    const unsigned int n_x = block.n_cells[0], n_y = block.n_cells[1],
+                       n_z      = block.n_cells[2];
+    const unsigned int opposite = k_face == 0 ? n_z : 0;
+    for (unsigned int pass = 0; pass < largest_smoothings; ++pass)
+      {
+        if (worst_corner(block) >= least_corner)
+          return true;
+        const LayerBlock before = block;
+        for (unsigned int j = 0; j <= n_y; ++j)
+          for (unsigned int i = 0; i <= n_x; ++i)
+            {
+              double       sum = 0;
+              unsigned int n   = 0;
+              for (const auto &[di, dj] :
+                   {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
+                if (int(i) + di >= 0 && i + di <= n_x && int(j) + dj >= 0 &&
+                    j + dj <= n_y)
+                  {
+                    sum += before.vertex(i + di, j + dj, k_face).z();
+                    ++n;
+                  }
+              const double face =
+                .5 * (before.vertex(i, j, k_face).z() + sum / n);
+              const double other = block.vertex(i, j, opposite).z();
+              for (unsigned int k = 0; k <= n_z; ++k)
+                {
+                  const double t = std::abs(double(k) - opposite) / n_z;
+                  block.vertices[3 * block.index(i, j, k) + 2] =
+                    other + t * (face - other);
+                }
+            }
+      }
+    return worst_corner(block) >= least_corner;
+  }
+} // namespace fiberloom

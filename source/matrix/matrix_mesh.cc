@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/matrix/matrix_mesh.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiberloom
+{
+  std::optional<MatrixBorder>
+  MatrixBorder::find(const std::string &name)
+  {
+    const std::array<std::string, 6> names{
+      {"x start", "x end", "y start", "y end", "bottom", "top"}};
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      return {};
+    const unsigned int i = found - names.begin();
+    return MatrixBorder{i / 2, i % 2};
+  }
+
+
+
+  MatrixMesh::MatrixMesh(const LayerGeometry   &geometry,
+                         const unsigned int     degree,
+                         const HyperelasticLaw &law)
+    : material(law)
+    , fe(degree)
+    , dof_handler(triangulation)
+  {
+    create_cells(geometry);
+    dof_handler.distribute_dofs(fe);
+
+    std::vector<dealii::Point<3>> points(dof_handler.n_dofs());
+    dealii::DoFTools::map_dofs_to_support_points(mapping, dof_handler, points);
+    stress_free.resize(3 * points.size());
+    for (unsigned int n = 0; n < points.size(); ++n)
+      for (unsigned int c = 0; c < 3; ++c)
+        stress_free[3 * n + c] = points[n][c];
+
+    set_up_elements();
+    search =
+      std::make_unique<dealii::GridTools::Cache<3>>(triangulation, mapping);
+  }
+
+
+
+  void
+  MatrixMesh::create_cells(const LayerGeometry &geometry)
+  {
+    std::vector<dealii::Point<3>>    vertices;
+    std::vector<dealii::CellData<3>> cells;
+    for (const LayerBlock &block : geometry.blocks)
+      {
+        const unsigned int first = vertices.size();
+        for (std::size_t i = 0; i < block.vertices.size(); i += 3)
+          vertices.emplace_back(block.vertices[i],
+                                block.vertices[i + 1],
+                                block.vertices[i + 2]);
+        const auto &n = block.n_cells;
+        for (unsigned int k = 0; k < n[2]; ++k)
+          for (unsigned int j = 0; j < n[1]; ++j)
+            for (unsigned int i = 0; i < n[0]; ++i)
+              {
+                dealii::CellData<3> cell;
+                for (unsigned int v = 0; v < 8; ++v)
+                  cell.vertices[v] =
+                    first + block.index(i + v % 2, j + v / 2 % 2, k + v / 4);
+                cells.push_back(cell);
+              }
+        // Outer faces are flat: a face of one height is a border.
+        for (const unsigned int side : {0, 1})
+          {
+            const unsigned int k    = side == 0 ? 0 : n[2];
+            bool               flat = true;
+            for (unsigned int j = 0; j <= n[1]; ++j)
+              for (unsigned int i = 0; i <= n[0]; ++i)
+                flat = flat &&
+                       block.vertex(i, j, k).z() == block.vertex(0, 0, k).z();
+            has_flat_face[side] = has_flat_face[side] || flat;
+          }
+      }
+    triangulation.create_triangulation(vertices, cells, {});
+  }
+
+
+
+  void
+  MatrixMesh::set_up_elements()
+  {
+    const dealii::QGauss<3>     rule(fe.degree + 1);
+    const dealii::Quadrature<3> nodes(fe.get_unit_support_points());
+    dealii::FEValues<3>         at_points(
+      mapping, fe, rule, dealii::update_gradients | dealii::update_JxW_values);
+    dealii::FEValues<3> at_nodes(mapping, fe, nodes, dealii::update_gradients);
+    const auto          gradients = [this](const dealii::FEValues<3> &values,
+                                  const unsigned int         n_points) {
+      std::vector<HexElement::Gradients> result(
+        n_points, HexElement::Gradients(fe.n_dofs_per_cell(), 3));
+      for (unsigned int p = 0; p < n_points; ++p)
+        for (unsigned int a = 0; a < fe.n_dofs_per_cell(); ++a)
+          for (unsigned int c = 0; c < 3; ++c)
+            result[p](a, c) = values.shape_grad(a, p)[c];
+      return result;
+    };
+
+    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        at_points.reinit(cell);
+        at_nodes.reinit(cell);
+        cell->get_dof_indices(dofs);
+        cell_nodes.emplace_back(dofs.begin(), dofs.end());
+        const std::vector<double> volumes = at_points.get_JxW_values();
+        const auto                slopes  = gradients(at_points, rule.size());
+        double                    sum     = 0;
+        for (unsigned int p = 0; p < rule.size(); ++p)
+          {
+            volume += volumes[p];
+            sum += volumes[p] * slopes[p].squaredNorm();
+          }
+        slope = std::max(slope, sum);
+        elements.emplace_back(slopes, volumes, material);
+        node_gradients.push_back(gradients(at_nodes, nodes.size()));
+      }
+  }
+
+
+
+  double
+  MatrixMesh::cell_size() const
+  {
+    return std::cbrt(volume / n_cells());
+  }
+
+
+
+  std::vector<unsigned int>
+  MatrixMesh::border_nodes(const MatrixBorder &border) const
+  {
+    if (border.axis == 2 && !has_flat_face[border.side])
+      return {};
+    const auto position = [&](const unsigned int node) {
+      return (border.side == 0 ? 1 : -1) * stress_free[3 * node + border.axis];
+    };
+    double outermost = position(0);
+    for (unsigned int n = 0; n < n_nodes(); ++n)
+      outermost = std::min(outermost, position(n));
+    std::vector<unsigned int> nodes;
+    for (unsigned int n = 0; n < n_nodes(); ++n)
+      if (position(n) < outermost + 1e-6 * cell_size())
+        nodes.push_back(n);
+    return nodes;
+  }
+
+
+
+  std::optional<CellPoint>
+  MatrixMesh::locate(const Vector3 &position) const
+  {
+    const auto [cell, point] = dealii::GridTools::find_active_cell_around_point(
+      *search, dealii::Point<3>(position.x(), position.y(), position.z()));
+    if (cell == triangulation.end())
+      return {};
+    return CellPoint{cell->active_cell_index(),
+                     Vector3(point[0], point[1], point[2])};
+  }
+
+
+
+  std::vector<double>
+  MatrixMesh::shape_values(const CellPoint &point) const
+  {
+    const Vector3      &xi = point.coordinates;
+    std::vector<double> values(fe.n_dofs_per_cell());
+    for (unsigned int a = 0; a < values.size(); ++a)
+      values[a] = fe.shape_value(a, dealii::Point<3>(xi.x(), xi.y(), xi.z()));
+    return values;
+  }
+
+
+
+  Matrix3
+  MatrixMesh::deformation_gradient(const Eigen::VectorXd &x,
+                                   const unsigned int     cell,
+                                   const unsigned int     node_of_cell) const
+  {
+    Matrix3 F = Matrix3::Zero();
+    for (unsigned int a = 0; a < cell_nodes[cell].size(); ++a)
+      F += x.segment<3>(3 * cell_nodes[cell][a]) *
+           node_gradients[cell][node_of_cell].row(a);
+    return F;
+  }
+
+
+
+  Eigen::VectorXd
+  MatrixMesh::cell_positions(const Eigen::VectorXd &x,
+                             const unsigned int     cell) const
+  {
+    const auto     &nodes = cell_nodes[cell];
+    Eigen::VectorXd positions(3 * nodes.size());
+    for (unsigned int a = 0; a < nodes.size(); ++a)
+      positions.segment<3>(3 * a) = x.segment<3>(3 * nodes[a]);
+    return positions;
+  }
+} // namespace fiberloom

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/model/composite.h>
+
+namespace fiberloom
+{
+  Composite::Composite(const MatrixState &state, const FiberMesh &fibers)
+    : mesh(state.layers,
+           state.degree,
+           HyperelasticLaw(HyperelasticLaw::type(state.law),
+                           state.young_modulus,
+                           state.poisson_ratio))
+    , n_fiber_nodes(fibers.n_nodes())
+  {
+    for (const Junction &junction : state.junctions)
+      junction_elements.emplace_back(junction, fibers, mesh);
+  }
+
+
+
+  Vector3
+  Composite::junction_force(const unsigned int junction,
+                            const DofVector   &q) const
+  {
+    return junction_elements[junction].force(q, positions(q));
+  }
+} // namespace fiberloom

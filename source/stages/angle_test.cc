@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/stages/angle_test.h>
+#include <fiberloom/stages/matrix_borders.h>
+
+#include <algorithm>
+
+namespace fiberloom
+{
+  namespace
+  {
+    // The first guess goes back in time by this part of the test.
+    constexpr double guess_step = 1e-4;
+  } // namespace
+
+
+
+  AngleTest::AngleTest(const Scene &scene,
+                       const double largest_angle,
+                       const double first_step,
+                       const double largest_step)
+    : Stage(scene)
+    , largest_angle(largest_angle)
+    , first_angle(std::min(first_step, largest_step))
+    , largest_angle_step(largest_step)
+  {}
+
+
+
+  unsigned int
+  AngleTest::border(const unsigned int body) const
+  {
+    const auto        &tows   = scene.fibers.tows;
+    const unsigned int ground = 2 * tows.size();
+    if (body < ground)
+      return (tows[body / 2].family == Tow::Family::warp ? 0 : 2) + body % 2;
+    return body == ground ? 4 : body - ground - 1;
+  }
+
+
+
+  bool
+  AngleTest::runs_along_x(const unsigned int body) const
+  {
+    const bool on_matrix = body > 2 * scene.fibers.tows.size();
+    return (border(body) < 2) != on_matrix;
+  }
+
+
+
+  void
+  AngleTest::begin(State &state) const
+  {
+    TowEnds::place(scene, state);
+
+    // A first guess: as if all had followed the angle evenly until now.
+    const double back         = -guess_step * largest_angle;
+    state.previous_q          = state.q;
+    state.previous_placements = state.placements;
+    state.previous_load       = -guess_step;
+    for (const auto &line : scene.mesh.lines())
+      {
+        const bool along_x =
+          scene.fibers.tows[line.tow].family == Tow::Family::warp;
+        for (unsigned int n = line.first_node;
+             n < line.first_node + line.n_nodes();
+             ++n)
+          {
+            auto          node  = state.previous_q.segment<9>(9 * n);
+            const Vector3 place = node.head<3>(), turn = spin(place, along_x);
+            node.head<3>() += back * velocity(place);
+            for (const unsigned int v : {3, 6})
+              node.segment<3>(v) += back * turn.cross(node.segment<3>(v));
+          }
+      }
+    for (Eigen::Index i = 9 * scene.mesh.n_nodes(); i < state.q.size(); i += 3)
+      state.previous_q.segment<3>(i) += back * velocity(state.q.segment<3>(i));
+    for (unsigned int b = 0; b < state.placements.size(); ++b)
+      {
+        Placement &placement = state.previous_placements[b];
+        placement.turn += back * spin(placement.position, runs_along_x(b));
+        placement.position += back * velocity(placement.position);
+      }
+  }
+
+
+
+  std::vector<BodyTarget>
+  AngleTest::targets(const std::vector<Placement> &start,
+                     const double                  load) const
+  {
+    std::vector<BodyTarget> targets(start.size());
+    for (unsigned int b = 0; b < start.size(); ++b)
+      targets[b].placement = border(b) < MatrixBorders::n_bodies ?
+                               move(start, b, load * largest_angle) :
+                               start[b];
+    return targets;
+  }
+
+
+
+  ContactRule
+  AngleTest::rule(const double) const
+  {
+    ContactRule rule;
+    rule.friction = scene.parameters.contact.friction_coefficient > 0;
+    return rule;
+  }
+} // namespace fiberloom

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/stages/bend.h>
+
+#include <cmath>
+
+namespace fiberloom
+{
+  namespace
+  {
+    Vector3
+    direction(const unsigned int axis)
+    {
+      return Vector3::Unit(axis);
+    }
+
+    /** About which the border at the end turns, so that the middle rises. */
+    Vector3
+    turning_axis(const unsigned int axis)
+    {
+      return axis == 0 ? Vector3(Vector3::UnitY()) : Vector3(-Vector3::UnitX());
+    }
+  } // namespace
+
+
+
+  Bend::Bend(const Scene &scene)
+    : AngleTest(scene,
+                scene.parameters.bend.largest_angle,
+                scene.parameters.bend.first_step,
+                scene.parameters.bend.largest_step)
+    , axis(scene.parameters.bend.direction == "warp" ? 0 : 1)
+  {}
+
+
+
+  Supports
+  Bend::supports(const DofVector &) const
+  {
+    Supports supports =
+      TowEnds::supports(scene, false, MatrixBorders::Grip::whole);
+    // What a free body holds stays together, but goes where it likes; on the
+    // matrix it would be a frame.
+    const unsigned int n_tow_ends = 2 * scene.fibers.tows.size();
+    for (unsigned int b = 0; b < n_tow_ends; ++b)
+      if (!is_bent(b))
+        supports.bodies[b].prescribed.reset();
+    std::vector<Attachment> kept;
+    for (const Attachment &attachment : supports.attachments)
+      if (attachment.body < n_tow_ends || is_bent(attachment.body))
+        kept.push_back(attachment);
+    supports.attachments = std::move(kept);
+    return supports;
+  }
+
+
+
+  Vector3
+  Bend::border_center(const std::vector<Placement> &placements,
+                      const unsigned int            side) const
+  {
+    Vector3      sum = Vector3::Zero();
+    unsigned int n   = 0;
+    for (unsigned int b = 0; b < 2 * scene.fibers.tows.size(); ++b)
+      if (is_bent(b) && b % 2 == side)
+        {
+          sum += placements[b].position;
+          ++n;
+        }
+    return sum / n;
+  }
+
+
+
+  Placement
+  Bend::move(const std::vector<Placement> &start,
+             const unsigned int            body,
+             const double                  angle) const
+  {
+    if (!is_bent(body))
+      return start[body];
+    const unsigned int side = border(body) % 2;
+    const double       sign = side == 0 ? -1 : 1;
+    const Vector3      here = border_center(start, side),
+                  other     = border_center(start, 1 - side);
+    const double half       = .5 * angle;
+    // Half the chord of an arc over its half length.
+    const double            shortening = half > 0 ? std::sin(half) / half : 1;
+    const Vector3           middle     = .5 * (here + other);
+    const Eigen::AngleAxisd turn(sign * half, turning_axis(axis));
+
+    Placement moved = start[body];
+    moved.position  = middle + shortening * (here - middle) +
+                     turn * (start[body].position - here);
+    moved.rotation = turn * start[body].rotation;
+    return moved;
+  }
+
+
+
+  Vector3
+  Bend::velocity(const Vector3 &position) const
+  {
+    // Of a sheet as long as the first fiber of the bent family.
+    const double along = position[axis], curvature = 1 / length();
+    Vector3      velocity = curvature * along * position.z() * direction(axis);
+    velocity.z() = .5 * curvature * (.25 * length() * length() - along * along);
+    return velocity;
+  }
+
+
+
+  Vector3
+  Bend::spin(const Vector3 &position, const bool) const
+  {
+    return position[axis] / length() * turning_axis(axis);
+  }
+
+
+
+  double
+  Bend::length() const
+  {
+    const Extent extent = skin_extent(scene.mesh, scene.mesh.initial());
+    return extent.high[axis] - extent.low[axis];
+  }
+
+
+
+  CurveRow
+  Bend::curve(const State                   &state,
+              const std::vector<BodyVector> &reactions) const
+  {
+    double moment = 0, force = 0;
+    for (unsigned int b = 0; b < reactions.size(); ++b)
+      if (is_bent(b))
+        {
+          const unsigned int side  = border(b) % 2;
+          const double       sign  = side == 0 ? -1 : 1;
+          const Vector3      lever = state.placements[b].position -
+                                border_center(state.placements, side);
+          moment += .5 * sign *
+                    turning_axis(axis).dot(reactions[b].tail<3>() +
+                                           lever.cross(reactions[b].head<3>()));
+          force += .5 * sign * reactions[b][axis];
+        }
+    return {{"bending_angle[rad]", angle(state)},
+            {"bending_moment[N.mm]", moment},
+            {"axial_force[N]", force}};
+  }
+} // namespace fiberloom

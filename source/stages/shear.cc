@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/stages/shear.h>
+
+#include <cmath>
+
+namespace fiberloom
+{
+  namespace
+  {
+    /** Of a border or what runs along it; half the angle towards the other. */
+    double
+    half_turn(const bool along_x)
+    {
+      return along_x ? .5 : -.5;
+    }
+  } // namespace
+
+
+
+  Shear::Shear(const Scene &scene)
+    : AngleTest(scene,
+                scene.parameters.shear.largest_angle,
+                scene.parameters.shear.first_step,
+                scene.parameters.shear.largest_step)
+  {}
+
+
+
+  Supports
+  Shear::supports(const DofVector &) const
+  {
+    return TowEnds::supports(scene, false, MatrixBorders::Grip::whole);
+  }
+
+
+
+  Placement
+  Shear::move(const std::vector<Placement> &start,
+              const unsigned int            body,
+              const double                  angle) const
+  {
+    const double  c = std::cos(.5 * angle), s = std::sin(.5 * angle);
+    const Vector3 from  = start[body].position;
+    Placement     moved = start[body];
+    moved.position << c * from.x() + s * from.y(), s * from.x() + c * from.y(),
+      from.z();
+    moved.rotation = Eigen::AngleAxisd(angle * half_turn(runs_along_x(body)),
+                                       Vector3::UnitZ()) *
+                     start[body].rotation;
+    return moved;
+  }
+
+
+
+  Vector3
+  Shear::velocity(const Vector3 &position) const
+  {
+    return .5 * Vector3(position.y(), position.x(), 0);
+  }
+
+
+
+  Vector3
+  Shear::spin(const Vector3 &, const bool along_x) const
+  {
+    return half_turn(along_x) * Vector3::UnitZ();
+  }
+
+
+
+  CurveRow
+  Shear::curve(const State                   &state,
+               const std::vector<BodyVector> &reactions) const
+  {
+    // Of the bars of the frame, by the power of all bodies.
+    const double c = std::cos(.5 * angle(state)),
+                 s = std::sin(.5 * angle(state));
+    double moment = 0, length = 0;
+    for (unsigned int b = 0; b < reactions.size(); ++b)
+      if (border(b) < 4)
+        {
+          const Vector3 from = state.stage_start_placements[b].position;
+          moment += .5 * (reactions[b][0] * (c * from.y() - s * from.x()) +
+                          reactions[b][1] * (c * from.x() - s * from.y())) +
+                    half_turn(runs_along_x(b)) * reactions[b][5];
+          length = std::max(length, 2 * std::abs(from.x()));
+        }
+    return {{"shear_angle[rad]", angle(state)},
+            {"shear_force[N]", moment / length},
+            {"shear_moment[N.mm]", moment}};
+  }
+} // namespace fiberloom

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+
+"""A small fabric in a matrix: coated without moving, sheared, bent and pulled; restarts, ranks, what a dry scene lacks, refusals."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+
+from program_runs import SMALL_WEAVE, SOURCE, check, check_same, command, curve, finish, run
+
+MATRIX = ["Matrix/Layers=both", "Matrix/Cells along x=3", "Matrix/Cells along y=3"]
+SHEAR = ["Stages=weave, relax, coat, shear", "Shear/Largest angle=0.2", "Shear/Largest step=0.05"]
+
+
+def model(directory):
+    with open(os.path.join(directory, "summary.json")) as file:
+        return json.load(file)["model"]
+
+
+def check_run(what, directory, *settings, **options):
+    done = run(SMALL_WEAVE, directory, *settings, **options)
+    check(f"{what}: status {done.returncode} {done.stderr}", done.returncode == 0)
+
+
+def n_rows(directory):
+    file = os.path.join(directory, "loading_curve.csv")
+    return len(curve(directory)) if os.path.exists(file) else 0
+
+
+def check_restart():
+    """After each of the stages and increments of the straight run that can be caught."""
+    settings = [*MATRIX, *SHEAR]
+    shutil.rmtree("stopped", ignore_errors=True)
+    arguments, n_stops = command(SMALL_WEAVE, "stopped", *settings), 0
+    for rows in range(3, n_rows("sheared_1")):
+        process = subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while n_rows("stopped") < rows and process.poll() is None:
+            time.sleep(.005)
+        open(os.path.join("stopped", "stop"), "w").close()
+        n_stops += process.wait() == 3
+        arguments = command(SMALL_WEAVE, "stopped", *settings, restart=os.path.join("stopped", "checkpoint"))
+    check(f"stopped {n_stops} times before the end, with {n_rows('stopped')} rows", n_stops > 0)
+    process = subprocess.run(arguments, capture_output=True)
+    check(f"  taken to the end: status {process.returncode}", process.returncode == 0)
+    check_same("  curve of the straight run", "sheared_1", "stopped", 1e-10)
+
+
+def check_refusal(what, words, *settings, scene=SMALL_WEAVE, **options):
+    shutil.rmtree("refused", ignore_errors=True)
+    done = run(scene, "refused", *settings, **options)
+    lines = done.stderr.splitlines()
+    check(f"{what}: status {done.returncode}, {lines}",
+          done.returncode == 1 and len(lines) == 1 and all(word in lines[0] for word in words))
+    check("  nothing written", not os.path.exists("refused"))
+
+
+def main():
+    check_run("sheared", "sheared_1", *MATRIX, *SHEAR)
+    coat = next(row for row in curve("sheared_1") if row["stage"] == "coat")
+    check(f"coating loads no junction: {coat['largest_junction_force[N]']}", coat["largest_junction_force[N]"] < 1e-10)
+    sizes = model("sheared_1")
+    nodes = 2 * 7 * 7 * 3
+    check(f"{sizes['matrix_dofs']} dofs of matrix, {sizes['junctions']} junctions",
+          sizes["matrix_dofs"] == 3 * nodes and sizes["junctions"] == coat["junctions"])
+    for name in ("matrix.pvd", "junctions.pvd"):
+        check(f"{name} written", os.path.exists(os.path.join("sheared_1", name)))
+
+    check_run("sheared on 2 ranks", "sheared_2", *MATRIX, *SHEAR, ranks=2)
+    check_same("  curve", "sheared_1", "sheared_2", 1e-4)
+    check_restart()
+
+    checkpoint = os.path.join("coated", "checkpoint")
+    check_run("coated", "coated", *MATRIX, "Stages=weave, relax, coat")
+    check_run("bent", "bent", *MATRIX, "Stages=bend", "Bending/Largest angle=0.2", restart=checkpoint)
+    moments = [row["bending_moment[N.mm]"] for row in curve("bent")]
+    check(f"moment grows with the angle: {moments}", all(a < b for a, b in zip([0] + moments, moments)))
+    check_run("pulled", "pulled", *MATRIX, "Stages=biaxial", "Biaxial/Largest strain=0.005", restart=checkpoint)
+    last = curve("pulled")[-1]
+    check(f"balanced: warp {last['force_warp[N]']}, fill {last['force_fill[N]']}",
+          abs(last["force_warp[N]"] / last["force_fill[N]"] - 1) < 1e-2)
+
+    check_run("dry", "dry", "Stages=weave")
+    check("a dry scene has no matrix", model("dry")["matrix_dofs"] == model("dry")["junctions"] == 0)
+    check("  nor files of it", not os.path.exists(os.path.join("dry", "matrix.pvd")))
+
+    check_refusal("another matrix", ["Matrix/Young modulus", "restart"], *MATRIX, "Stages=biaxial",
+                  "Matrix/Young modulus=60", restart=checkpoint)
+    check_refusal("coated twice", ["Stages", "once"], *MATRIX, "Stages=coat", restart=checkpoint)
+    woven = os.path.join("dry", "checkpoint")
+    check_refusal("layers that meet", ["Overlap"], *MATRIX, "Stages=coat", "Matrix/Overlap=0.1",
+                  "Matrix/Thickness=0.2", restart=woven)
+    check_refusal("a mesh too coarse", ["too coarse", "Cells along x"], *MATRIX, "Stages=coat", "Matrix/Cells along x=1",
+                  "Matrix/Cells along y=1", "Matrix/Overlap=0.002", restart=woven)
+    patch = os.path.join(SOURCE, "prm", "verification", "d1_patch.prm")
+    check_refusal("no fiber in reach", ["no fiber"], "Matrix/Layers=upper", "Matrix/Size along y=0.01", scene=patch)
+    check_refusal("no such border", ["Drive left/Matrix borders", "bottom"], "Matrix/Layers=upper",
+                  "Drive left/Matrix borders=bottom", scene=patch)
+    finish()
+
+
+sys.exit(main())

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+// Layers of matrix on wavy fibers: outer faces flat at their thickness, inner
+// ones under the woven surface by the overlap, borders, bad cells that are
+// repaired, points found where they are, and layers that cannot be.
+
+#include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/matrix/matrix_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "checks.h"
+#include "sample_fibers.h"
+
+using namespace fiberloom;
+
+namespace
+{
+  /** Five waves side by side, of radius 1 and height 2. */
+  FiberSet
+  waves()
+  {
+    std::vector<Fiber> fibers;
+    for (int f = -2; f <= 2; ++f)
+      fibers.push_back(curved_fiber(
+        [f](const double t) {
+          return Vector3(60 * t - 30, 2.2 * f, std::cos(4 * M_PI * t));
+        },
+        16,
+        Vector3::UnitZ()));
+    return loose_fibers(fibers);
+  }
+
+  MatrixParameters
+  parameters(const std::string &layers)
+  {
+    MatrixParameters matrix;
+    matrix.layers                  = layers;
+    matrix.thickness               = 4;
+    matrix.overlap                 = .5;
+    matrix.cells_along_x           = 12;
+    matrix.cells_along_y           = 2;
+    matrix.cells_through_thickness = 2;
+    return matrix;
+  }
+
+  const HyperelasticLaw law(HyperelasticLaw::Type::neo_hooke, 1., .3);
+
+  void
+  check_faces(Checks &checks, const FiberMesh &fibers)
+  {
+    const LayerGeometry layers =
+      build_layers(parameters("both"), fibers, fibers.reference());
+    checks.equal("layers", layers.blocks.size(), 2);
+    const LayerBlock &lower = layers.blocks[0], &upper = layers.blocks[1];
+    double            flat = 0, mirrored = 0, high = -10, low = 10;
+    for (unsigned int j = 0; j <= 2; ++j)
+      for (unsigned int i = 0; i <= 12; ++i)
+        {
+          flat = std::max(flat, std::abs(upper.vertex(i, j, 2).z() - 6));
+          flat = std::max(flat, std::abs(lower.vertex(i, j, 0).z() + 6));
+          const double inner = upper.vertex(i, j, 0).z();
+          high               = std::max(high, inner);
+          low                = std::min(low, inner);
+          // Half a wave on, the lower side is what the upper one was.
+          mirrored =
+            std::max(mirrored,
+                     std::abs(inner + lower.vertex((i + 3) % 12, j, 2).z()));
+        }
+    checks.below("outer faces off their thickness", flat, 1e-12);
+    checks.equal("highest vertex inside, a crest less the overlap", high, 1.5);
+    // Within half a cell of the trough: cos(5 pi/6) of the wave at its border.
+    checks.below("lowest vertex inside",
+                 low - (1 - .5 + std::cos(5. / 6 * M_PI)),
+                 6e-2);
+    checks.below("lower side mirrored", mirrored, 2e-2);
+
+    const MatrixMesh mesh(layers, 2, law);
+    checks.equal("nodes", mesh.n_nodes(), n_layer_nodes(parameters("both")));
+    checks.equal("cells", mesh.n_cells(), 96);
+    checks.equal("nodes on x start",
+                 mesh.border_nodes(*MatrixBorder::find("x start")).size(),
+                 50);
+    checks.equal("nodes on top",
+                 mesh.border_nodes(*MatrixBorder::find("top")).size(),
+                 125);
+    const MatrixMesh upper_mesh(
+      build_layers(parameters("upper"), fibers, fibers.reference()), 1, law);
+    checks.equal("nodes on the bottom of an upper layer",
+                 upper_mesh.border_nodes(*MatrixBorder::find("bottom")).size(),
+                 0);
+  }
+
+  void
+  check_location(Checks &checks, const FiberMesh &fibers)
+  {
+    const MatrixMesh mesh(
+      build_layers(parameters("both"), fibers, fibers.reference()), 2, law);
+    double       error   = 0;
+    unsigned int n_found = 0;
+    for (int i = -9; i <= 9; ++i)
+      {
+        const Vector3 point(3.1 * i, .4 * i, 3 + .1 * i);
+        const auto    place = mesh.locate(point);
+        if (!place)
+          continue;
+        ++n_found;
+        const auto values = mesh.shape_values(*place);
+        Vector3    found  = Vector3::Zero();
+        for (unsigned int a = 0; a < values.size(); ++a)
+          found += values[a] *
+                   mesh.reference().segment<3>(3 * mesh.nodes(place->cell)[a]);
+        error = std::max(error, (found - point).norm());
+      }
+    checks.equal("points found", n_found, 19);
+    checks.below("their distance from where they are", error, 1e-12);
+    checks.that("no cell between the layers", !mesh.locate(Vector3(0, .1, .9)));
+    checks.that("no cell above", !mesh.locate(Vector3(0, 0, 6.01)));
+  }
+
+  void
+  check_repair(Checks &checks, const FiberMesh &fibers)
+  {
+    LayerBlock block =
+      build_layers(parameters("upper"), fibers, fibers.reference()).blocks[0];
+    checks.above("worst corner", worst_corner(block), .2);
+    const LayerBlock good = block;
+    checks.that("good cells stay as they are",
+                repair(block, 0) && block.vertices == good.vertices);
+    // A spike from the inner face through the outer one.
+    for (unsigned int k = 0; k < 2; ++k)
+      block.vertices[3 * block.index(6, 1, k) + 2] += 8 - 4 * k;
+    checks.below("worst corner with a spike", worst_corner(block) + 1, 1.2);
+    checks.that("a spike is repaired", repair(block, 0));
+    checks.above("worst corner then", worst_corner(block), .2);
+    const MatrixMesh mesh({{block}}, 1, law);
+    checks.below("the outer face stays",
+                 block.vertex(6, 1, 2).z() - good.vertex(6, 1, 2).z(),
+                 1e-12);
+  }
+
+  void
+  check_refused(Checks &checks, const FiberMesh &fibers)
+  {
+    const auto refused = [&](const MatrixParameters &matrix,
+                             const std::string      &text) {
+      try
+        {
+          build_layers(matrix, fibers, fibers.reference());
+        }
+      catch (const InputError &error)
+        {
+          return std::string(error.what()).find(text) != std::string::npos;
+        }
+      return false;
+    };
+    MatrixParameters deep = parameters("both");
+    deep.overlap          = 2;
+    checks.that("layers that meet are refused", refused(deep, "meet"));
+    MatrixParameters flat = parameters("upper");
+    flat.thickness        = -2;
+    checks.that("cells that stay bad are refused", refused(flat, "rough"));
+  }
+} // namespace
+
+int
+main()
+{
+  std::ofstream   output("output");
+  Checks          checks(output);
+  const FiberSet  fibers = waves();
+  const FiberMesh mesh(fibers);
+  check_faces(checks, mesh);
+  check_location(checks, mesh);
+  check_repair(checks, mesh);
+  check_refused(checks, mesh);
+}
