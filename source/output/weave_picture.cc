@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 
 namespace fiberloom
 {
@@ -16,6 +17,8 @@ namespace fiberloom
   {
     constexpr unsigned int picture_intervals = 4;
     constexpr unsigned int picture_around    = 16;
+
+    const Color matrix_color{{{.84, .86, .82}}};
 
     /** Parallel projection; rows: right, down, away from the eye. */
     Matrix3
@@ -36,18 +39,23 @@ namespace fiberloom
     public:
       PictureView(const FiberMesh   &mesh,
                   const DofVector   &q,
+                  const Composite   *composite,
                   const unsigned int largest_side)
         : axes(oblique_axes())
       {
         low.setConstant(1e300);
-        Vector3 high  = -low;
-        double  thick = 0;
+        Vector3    high    = -low;
+        double     thick   = 0;
+        const auto include = [&](const Vector3 &point) {
+          const Vector3 p = axes * point;
+          low             = low.cwiseMin(p);
+          high            = high.cwiseMax(p);
+        };
         for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
-          {
-            const Vector3 p = axes * q.segment<3>(FiberMesh::dofs_per_node * n);
-            low             = low.cwiseMin(p);
-            high            = high.cwiseMax(p);
-          }
+          include(q.segment<3>(FiberMesh::dofs_per_node * n));
+        if (composite != nullptr)
+          for (unsigned int n = 0; n < composite->matrix().n_nodes(); ++n)
+            include(composite->positions(q).segment<3>(3 * n));
         for (const auto &line : mesh.lines())
           thick = std::max(thick, line.radius);
         const double margin =
@@ -118,6 +126,57 @@ namespace fiberloom
           color,
           object);
     }
+    bool
+    is_shown(const Eigen::VectorXd &rest)
+    {
+      Vector3 middle = Vector3::Zero();
+      for (unsigned int v = 0; v < 8; ++v)
+        middle += rest.segment<3>(3 * v) / 8;
+      return middle.z() < 0 || middle.y() > 0;
+    }
+
+    /** The six faces of each cell between its corners, which come first. */
+    void
+    draw_matrix(Canvas            &canvas,
+                const PictureView &view,
+                const Composite   &composite,
+                const DofVector   &q,
+                const int          first_object)
+    {
+      constexpr std::array<std::array<unsigned int, 4>, 6> faces{
+        {{{0, 2, 6, 4}},
+         {{1, 3, 7, 5}},
+         {{0, 1, 5, 4}},
+         {{2, 3, 7, 6}},
+         {{0, 1, 3, 2}},
+         {{4, 5, 7, 6}}}};
+      const MatrixMesh     &matrix    = composite.matrix();
+      const Eigen::VectorXd positions = composite.positions(q);
+      for (unsigned int c = 0; c < matrix.n_cells(); ++c)
+        {
+          if (!is_shown(matrix.cell_positions(matrix.reference(), c)))
+            continue;
+          const Eigen::VectorXd x      = matrix.cell_positions(positions, c);
+          const auto            corner = [&](const unsigned int v) {
+            return Vector3(x.segment<3>(3 * v));
+          };
+          const Vector3 middle = .5 * (corner(0) + corner(7));
+          for (const auto &face : faces)
+            {
+              Vector3 normal = (corner(face[2]) - corner(face[0]))
+                                 .cross(corner(face[3]) - corner(face[1]))
+                                 .normalized();
+              if (normal.dot(corner(face[0]) - middle) < 0)
+                normal = -normal;
+              for (const unsigned int half : {1, 2})
+                canvas.draw({{view.corner(corner(face[0]), normal),
+                              view.corner(corner(face[half]), normal),
+                              view.corner(corner(face[half + 1]), normal)}},
+                            matrix_color,
+                            first_object + c);
+            }
+        }
+    }
   } // namespace
 
 
@@ -126,9 +185,10 @@ namespace fiberloom
   weave_picture(const FiberSet    &fibers,
                 const FiberMesh   &mesh,
                 const DofVector   &q,
+                const Composite   *composite,
                 const unsigned int largest_side)
   {
-    const PictureView view(mesh, q, largest_side);
+    const PictureView view(mesh, q, composite, largest_side);
     Canvas            canvas(view.width, view.height);
     double            mean_radius = 0;
 
@@ -143,6 +203,8 @@ namespace fiberloom
           canvas, view, skin, sections.back(), skin.n_rings - 1, color, f);
         mean_radius += mesh.lines()[f].radius / mesh.lines().size();
       }
+    if (composite != nullptr)
+      draw_matrix(canvas, view, *composite, q, mesh.lines().size());
     return canvas.png(3 * mean_radius * view.scale);
   }
 } // namespace fiberloom

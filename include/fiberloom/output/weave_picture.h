@@ -8,6 +8,8 @@
 
 #include <fiberloom/beams/fiber_mesh.h>
 
+#include <fiberloom/model/composite.h>
+
 #include <string>
 
 namespace fiberloom
@@ -15,12 +17,14 @@ namespace fiberloom
   /**
    * The whole sample seen from above at an angle, every fiber with its
    * deformed sections in the colour of its tow; content of a PNG file. Needs
-   * no display.
+   * no display. Of a matrix, unless @p composite is null, all cells are seen
+   * but those above the middle plane in the front half.
    */
   std::string
   weave_picture(const FiberSet    &fibers,
                 const FiberMesh   &mesh,
                 const DofVector   &q,
+                const Composite   *composite    = nullptr,
                 const unsigned int largest_side = 1600);
 } // namespace fiberloom
 
