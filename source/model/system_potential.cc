@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/contact/contact_law.h>
+
+#include <fiberloom/model/system.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace fiberloom
+{
+  double
+  System::energy(const State                       &state,
+                 const std::vector<ContactElement> &contacts) const
+  {
+    double energy = 0;
+    for (unsigned int e = 0; e < mesh.n_elements(); ++e)
+      if (numbering.local_block(mesh.first_node(e)) >= 0)
+        energy += mesh.element(e).energy(mesh.element_dofs(state.q, e));
+    for (const ContactElement &contact : contacts)
+      if (numbering.local_block(contact.first_nodes[0]) >= 0)
+        energy += contact_energy(contact, section_pair(contact, state.q));
+    if (composite != nullptr)
+      energy += matrix_energy(state);
+    return dealii::Utilities::MPI::sum(energy, numbering.communicator());
+  }
+
+
+
+  double
+  System::matrix_energy(const State &state) const
+  {
+    const MatrixMesh     &matrix    = composite->matrix();
+    const Eigen::VectorXd positions = composite->positions(state.q);
+    double                energy    = 0;
+    for (unsigned int c = 0; c < matrix.n_cells(); ++c)
+      if (numbering.local_block(composite->first_node() +
+                                matrix.nodes(c).front()) >= 0)
+        energy += matrix.element(c).energy(matrix.cell_positions(positions, c));
+    for (const JunctionElement &junction : composite->junctions())
+      if (numbering.local_block(junction.fiber_nodes()[0]) >= 0)
+        energy += junction.energy(state.q, positions);
+    return energy;
+  }
+
+
+
+  double
+  System::stored_energy(const State                       &state,
+                        const std::vector<ContactElement> &contacts) const
+  {
+    double stored = energy(state, contacts);
+    for (const ContactElement &contact : contacts)
+      stored -= dissipated_energy(contact, section_pair(contact, state.q));
+    return stored;
+  }
+
+
+
+  double
+  System::load_work(const Targets &targets,
+                    const State   &before,
+                    const State   &after) const
+  {
+    double work = 0;
+    for (unsigned int b = 0; b < targets.bodies.size(); ++b)
+      {
+        const Placement &from = before.placements[b], &to = after.placements[b];
+        BodyVector       motion;
+        motion << to.position - from.position, to.turn - from.turn;
+        work += targets.bodies[b].load.dot(motion);
+      }
+    for (unsigned int n = 0; n < targets.node_forces.size(); ++n)
+      work += targets.node_forces[n].dot(after.q.segment<3>(9 * n) -
+                                         before.q.segment<3>(9 * n));
+    return work;
+  }
+
+
+
+  bool
+  System::has_potential(const Targets &targets) const
+  {
+    for (unsigned int b = 0; b < targets.bodies.size(); ++b)
+      {
+        const auto        &prescribed = supports.bodies[b].prescribed;
+        const unsigned int n_axes =
+          !prescribed[3] + !prescribed[4] + !prescribed[5];
+        if (n_axes > 1 && !targets.bodies[b].load.tail<3>().isZero(0))
+          return false;
+      }
+    return true;
+  }
+} // namespace fiberloom
