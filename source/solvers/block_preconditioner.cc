@@ -49,7 +49,7 @@ namespace fiberloom
         const auto set_hexes = [&](const auto &value) {
           for (unsigned int row = 0; row < layout.owned_blocks().size(); ++row)
             if (const unsigned int block = layout.owned_blocks()[row];
-                layout.size(block) == 3)
+                layout.is_matrix_node(block))
               for (unsigned int i = 0; i < 3; ++i)
                 {
                   const unsigned int dof = layout.local_first_dof(row) + i;

@@ -99,7 +99,8 @@ namespace fiberloom
           const unsigned int       block)
     {
       return part == DirectFactor::Part::all ||
-             (layout.size(block) == 3) == (part == DirectFactor::Part::matrix);
+             layout.is_matrix_node(block) ==
+               (part == DirectFactor::Part::matrix);
     }
 
     /**

@@ -36,14 +36,14 @@ namespace fiberloom
                          DirectFactor::Precision::single_precision;
     }
 
-    /** The factor as a preconditioner of Trilinos. */
-    class FactorOperator : public Epetra_Operator
+    class FactorPreconditioner : public Preconditioner
     {
     public:
-      FactorOperator(DirectFactor &factor, const BlockMatrix &matrix)
+      FactorPreconditioner(DirectFactor &factor, const BlockMatrix &matrix)
         : factor(factor)
-        , matrix(matrix)
-      {}
+      {
+        this->matrix = &matrix;
+      }
 
       int
       ApplyInverse(const Epetra_MultiVector &x,
@@ -51,67 +51,12 @@ namespace fiberloom
       {
         y = x;
         for (int v = 0; v < y.NumVectors(); ++v)
-          factor.solve(matrix.layout(), y[v]);
+          factor.solve(matrix->layout(), y[v]);
         return 0;
-      }
-
-      int
-      Apply(const Epetra_MultiVector &, Epetra_MultiVector &) const override
-      {
-        return -1;
-      }
-
-      int
-      SetUseTranspose(bool) override
-      {
-        return 0;
-      }
-
-      double
-      NormInf() const override
-      {
-        return 0;
-      }
-
-      const char *
-      Label() const override
-      {
-        return "factor";
-      }
-
-      bool
-      UseTranspose() const override
-      {
-        return false;
-      }
-
-      bool
-      HasNormInf() const override
-      {
-        return false;
-      }
-
-      const Epetra_Comm &
-      Comm() const override
-      {
-        return matrix.Comm();
-      }
-
-      const Epetra_Map &
-      OperatorDomainMap() const override
-      {
-        return matrix.OperatorDomainMap();
-      }
-
-      const Epetra_Map &
-      OperatorRangeMap() const override
-      {
-        return matrix.OperatorRangeMap();
       }
 
     private:
-      DirectFactor      &factor;
-      const BlockMatrix &matrix;
+      DirectFactor &factor;
     };
   } // namespace
 
@@ -255,7 +200,7 @@ namespace fiberloom
           return false;
         shift_more(matrix, attempt, shift_unit, outcome);
       }
-    FactorOperator preconditioner(*factor, matrix);
+    FactorPreconditioner preconditioner(*factor, matrix);
     return iterate(matrix, preconditioner, b, x, outcome) || !in_single;
   }
 

@@ -33,7 +33,10 @@ namespace fiberloom
                 scene.parameters.bend.first_step,
                 scene.parameters.bend.largest_step)
     , axis(scene.parameters.bend.direction == "warp" ? 0 : 1)
-  {}
+  {
+    const Extent extent = skin_extent(scene.mesh, scene.mesh.initial());
+    length              = extent.high[axis] - extent.low[axis];
+  }
 
 
 
@@ -104,10 +107,9 @@ namespace fiberloom
   Vector3
   Bend::velocity(const Vector3 &position) const
   {
-    // Of a sheet as long as the first fiber of the bent family.
-    const double along = position[axis], curvature = 1 / length();
+    const double along = position[axis], curvature = 1 / length;
     Vector3      velocity = curvature * along * position.z() * direction(axis);
-    velocity.z() = .5 * curvature * (.25 * length() * length() - along * along);
+    velocity.z() = .5 * curvature * (.25 * length * length - along * along);
     return velocity;
   }
 
@@ -116,16 +118,7 @@ namespace fiberloom
   Vector3
   Bend::spin(const Vector3 &position, const bool) const
   {
-    return position[axis] / length() * turning_axis(axis);
-  }
-
-
-
-  double
-  Bend::length() const
-  {
-    const Extent extent = skin_extent(scene.mesh, scene.mesh.initial());
-    return extent.high[axis] - extent.low[axis];
+    return position[axis] / length * turning_axis(axis);
   }
 
 

@@ -62,6 +62,13 @@ namespace fiberloom
       return first_dofs[block + 1] - first_dofs[block];
     }
 
+    /** Whether it is a node of the matrix. */
+    bool
+    is_matrix_node(const unsigned int block) const
+    {
+      return size(block) == 3;
+    }
+
     unsigned int
     body_block(const unsigned int body) const
     {

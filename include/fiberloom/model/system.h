@@ -24,9 +24,9 @@ namespace fiberloom
 
   /**
    * The equations of one stage: fibers, contacts, rigid bodies and, where there
-   * is one, matrix with its junctions, with the
-   * nodes held by bodies eliminated. Each rank evaluates what touches the
-   * blocks it owns, so nothing is sent while assembling.
+   * is one, matrix with its junctions, with the nodes held by bodies
+   * eliminated. Each rank evaluates what touches the blocks it owns, so nothing
+   * is sent while assembling.
    *
    * Unknowns are increments: of a free node its nine dofs, of a held node the
    * components along its attachment's frame, of a body the displacement of

@@ -5,8 +5,7 @@
 #define fiberloom_solvers_block_preconditioner_h
 
 #include <fiberloom/solvers/direct_factor.h>
-
-#include <Epetra_Operator.h>
+#include <fiberloom/solvers/preconditioner.h>
 
 namespace fiberloom
 {
@@ -15,7 +14,7 @@ namespace fiberloom
    * with bodies first, then, with what these leave of the residual, the matrix,
    * each by a factor of its own. The stiffer the junctions, the worse.
    */
-  class BlockPreconditioner : public Epetra_Operator
+  class BlockPreconditioner : public Preconditioner
   {
   public:
     BlockPreconditioner(const MPI_Comm                comm,
@@ -32,63 +31,8 @@ namespace fiberloom
     ApplyInverse(const Epetra_MultiVector &x,
                  Epetra_MultiVector       &y) const override;
 
-    int
-    Apply(const Epetra_MultiVector &, Epetra_MultiVector &) const override
-    {
-      return -1;
-    }
-
-    int
-    SetUseTranspose(bool) override
-    {
-      return -1;
-    }
-
-    double
-    NormInf() const override
-    {
-      return 0;
-    }
-
-    const char *
-    Label() const override
-    {
-      return "blocks";
-    }
-
-    bool
-    UseTranspose() const override
-    {
-      return false;
-    }
-
-    bool
-    HasNormInf() const override
-    {
-      return false;
-    }
-
-    const Epetra_Comm &
-    Comm() const override
-    {
-      return matrix->Comm();
-    }
-
-    const Epetra_Map &
-    OperatorDomainMap() const override
-    {
-      return matrix->OperatorDomainMap();
-    }
-
-    const Epetra_Map &
-    OperatorRangeMap() const override
-    {
-      return matrix->OperatorRangeMap();
-    }
-
   private:
     mutable DirectFactor fibers, hexes;
-    const BlockMatrix   *matrix = nullptr;
   };
 } // namespace fiberloom
 

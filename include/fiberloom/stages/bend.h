@@ -50,11 +50,8 @@ namespace fiberloom
       return border(body) / 2 == axis;
     }
 
-    /** Of the sample before weaving [mm]. */
-    double
-    length() const;
-
-    const unsigned int axis; // 0: warp is bent, 1: fill
+    const unsigned int axis;   // 0: warp is bent, 1: fill
+    double             length; // of the sample before weaving [mm]
   };
 } // namespace fiberloom
 
