@@ -112,6 +112,24 @@ namespace fiberloom
 
 
 
+  double
+  Motion::largest_prescribed_move(const State   &state,
+                                  const Targets &targets) const
+  {
+    const std::vector<double> prescribed =
+      prescribed_increments(state, targets);
+    State moved;
+    moved.q          = state.q;
+    moved.placements = state.placements;
+    advance(moved,
+            Eigen::Map<const Eigen::VectorXd>(prescribed.data(),
+                                              prescribed.size()),
+            1);
+    return largest_move(moved.q - state.q);
+  }
+
+
+
   void
   Motion::advance(State                 &state,
                   const Eigen::VectorXd &increment,

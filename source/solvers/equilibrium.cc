@@ -16,9 +16,11 @@ namespace fiberloom
 {
   namespace
   {
-    // A zone is stiffened beyond this multiple of the largest penetration.
-    constexpr double penetration_tolerance = 1.3;
-    constexpr double largest_stiffening    = 6;
+    // Beyond this multiple of the largest penetration zones are stiffened. Each
+    // time costs iterations, so all that are beyond the second one take part,
+    // and do so before an increment begins.
+    constexpr double penetration_tolerance = 1.3, stiffened_from = .7;
+    constexpr double largest_stiffening = 6;
 
     // The damped loop stiffens as soon as the residual is below this multiple
     // of the tolerance, not in every iteration, and at most so many times.
@@ -27,7 +29,7 @@ namespace fiberloom
     constexpr unsigned int largest_stiffenings = 20;
 
     // More than in proportion: the force grows with the stiffness.
-    constexpr double stiffening = 1.5;
+    constexpr double stiffening = 2;
 
     // Fibers deeper in each other than this multiple of it, and than twice of
     // what they were, have been thrown there by a step.
@@ -36,6 +38,10 @@ namespace fiberloom
     // Inner tolerance: a tenth of what the outer loop still has to remove.
     constexpr double inner_reduction = .1, loosest_inner = .02,
                      tightest_inner = 1e-5;
+
+    // Of the linear systems: what they leave is well below what is allowed.
+    constexpr double linear_reduction = .01, loosest_linear = 1e-5,
+                     tightest_linear = 1e-9;
 
     // A tight fabric, whose contact forces are large, needs more.
     constexpr double stronger_damping = 8;
@@ -47,6 +53,11 @@ namespace fiberloom
     // As the allowed overlap shrinks, the energy has to rise at first.
     constexpr unsigned int shrinking_search_from = 2;
 
+    // A fabric that is pulled moves by no more than this part of what its ends
+    // do in an increment, or of the radius, in one step: further ahead are
+    // other fibers.
+    constexpr double part_of_ends = .15, least_limit = .1;
+
     // Newton steps cut below the first part of their length ask for more
     // damping, beyond the second one for less.
     constexpr double short_step = .3, long_step = .7;
@@ -56,10 +67,9 @@ namespace fiberloom
     // those that go back by more than this part of the last one are shortened.
     constexpr double overshoot = .5;
 
-    // Steps that creep on in one direction are lengthened to where it leads,
-    // but by no more than this, and to no longer than this part of the radius:
-    // fibers that are nearly at rest may have others ahead.
-    constexpr double longest_leap = 8, farthest_leap = .1;
+    // Damping that only makes soft fibers creep decays down to this part of the
+    // least, until a residual grows by the second factor: fibers were thrown.
+    constexpr double quiet_part = 1e-3, thrown = 2;
 
     constexpr double       diverged         = 1e8;
     constexpr double       shift_over_Er    = 1e-4;
@@ -115,6 +125,7 @@ namespace fiberloom
     , linear_solver(system, parameters.solver.linear_solver)
     , statistics(statistics)
     , watch(std::move(watch))
+    , prescribed_limit(parameters.solver.largest_move)
   {}
 
 
@@ -216,9 +227,11 @@ namespace fiberloom
 
 
 
-  void
+  bool
   Equilibrium::adapt_stiffness(State &state) const
   {
+    if (parameters.contact.line_stiffness > 0)
+      return false;
     const double        target = parameters.contact.largest_penetration;
     std::vector<double> penetration(state.contact.zones.size(), 0.);
     for (const ContactElement &contact : contact_elements)
@@ -226,10 +239,15 @@ namespace fiberloom
         std::max(penetration[contact.zone],
                  -contact.gap / smaller_radius(contact));
 
+    bool changed = false;
     for (unsigned int z = 0; z < penetration.size(); ++z)
-      if (penetration[z] > penetration_tolerance * target)
-        state.contact.zones[z].stiffness *=
-          std::min(stiffening * penetration[z] / target, largest_stiffening);
+      if (penetration[z] > stiffened_from * target)
+        {
+          state.contact.zones[z].stiffness *=
+            std::min(stiffening * penetration[z] / target, largest_stiffening);
+          changed = true;
+        }
+    return changed;
   }
 
 
@@ -273,11 +291,18 @@ namespace fiberloom
     const bool   moves    = system.motion().moves(state, problem.targets);
     last_residual         = residual;
     watch({residual, damping, last_factor});
-    if (!moves &&
-        residual < std::max(tolerance, system.rounding_force() / scale))
+    const double allowed = std::max(tolerance, system.rounding_force() / scale);
+    if (!moves && residual < allowed)
       return Step::converged;
     if (!(residual < diverged))
       return Step::failed;
+    // Newton's method converges by exact steps, the damped loop does not; and
+    // prescribed increments stand beside forces on the right hand side.
+    const double linear_tolerance =
+      moves || damping == 0 ? tightest_linear :
+                              std::clamp(linear_reduction * allowed / residual,
+                                         tightest_linear,
+                                         loosest_linear);
 
     // Without one, neither its curvature nor its decrease says anything.
     const bool            has_potential = system.has_potential(problem.targets);
@@ -290,7 +315,8 @@ namespace fiberloom
                                     damping * system.stiffness_scale(),
                                     shift_over_Er * system.stiffness_scale(),
                                     solution,
-                                    !has_potential);
+                                    !has_potential,
+                                    linear_tolerance);
     }
     if (parameters.solver.benchmark && statistics.seconds.yardstick == 0)
       statistics.seconds.yardstick =
@@ -308,13 +334,17 @@ namespace fiberloom
     if (!std::isfinite(move))
       return Step::failed;
     double       factor = longest_step * relaxation(increment);
-    const double limit  = parameters.solver.largest_move;
+    const double limit =
+      moves ? prescribed_limit : parameters.solver.largest_move;
     if (limit > 0 && !contact_elements.empty() && factor * move > limit)
       factor = limit / move;
+    last_cut = 1;
     if (search_line && !moves && has_potential)
       {
-        ScopedTimer timer(statistics.seconds.assembly);
-        factor = search_along(state, problem, increment, factor);
+        ScopedTimer  timer(statistics.seconds.assembly);
+        const double found = search_along(state, problem, increment, factor);
+        last_cut           = found / factor;
+        factor             = found;
       }
     last_factor = factor;
     last_step   = factor * increment;
@@ -330,10 +360,6 @@ namespace fiberloom
     if (damping == 0 || last_step.size() != increment.size())
       return 1;
     const double back = -increment.dot(last_step) / last_step.squaredNorm();
-    if (leaps && back < 0)
-      return std::clamp(farthest_leap / system.motion().largest_move(increment),
-                        1.,
-                        std::min(1 / std::max(1 + back, 1e-3), longest_leap));
     return back > overshoot ? std::max(.5, 1 / (1 + back)) : 1;
   }
 
@@ -368,10 +394,31 @@ namespace fiberloom
 
 
 
+  bool
+  Equilibrium::follows(const Problem &problem) const
+  {
+    return generator.weaves() && !problem.rule.from_above &&
+           !contact_elements.empty();
+  }
+
+
+
+  void
+  Equilibrium::begin(State &state, const Problem &problem)
+  {
+    state = problem.before;
+    generate(state, problem);
+    if (follows(problem) && system.motion().moves(state, problem.targets) &&
+        adapt_stiffness(state))
+      generate(state, problem);
+  }
+
+
+
   void
   Equilibrium::extrapolate(State &state, const Problem &problem)
   {
-    generate(state, problem);
+    begin(state, problem);
     deepest_penetration =
       std::max(lost_penetration * parameters.contact.largest_penetration,
                2 * largest_penetration());
@@ -380,10 +427,8 @@ namespace fiberloom
       return;
     system.motion().extrapolate(state, problem.targets, problem.load_step);
     generate(state, problem);
-    if (!is_lost())
-      return;
-    state = problem.before;
-    generate(state, problem);
+    if (is_lost())
+      begin(state, problem);
   }
 
 
@@ -403,14 +448,21 @@ namespace fiberloom
 
     // Of the many parallel fibers of a fabric some always need normals that
     // follow every iteration: the nested loops are for when that fails.
-    const bool follows = generator.weaves() && !problem.rule.from_above &&
-                         !contact_elements.empty();
-    if (follows)
+    const bool loop_first = follows(problem);
+    if (loop_first)
       {
-        if (one_loop(usual_damping))
+        const double ends =
+          system.motion().largest_prescribed_move(problem.before,
+                                                  problem.targets);
+        if (parameters.solver.largest_move > 0)
+          prescribed_limit =
+            std::min(parameters.solver.largest_move,
+                     std::max(least_limit, part_of_ends * ends));
+        const bool found = one_loop(usual_damping);
+        prescribed_limit = parameters.solver.largest_move;
+        if (found)
           return true;
-        state = problem.before;
-        generate(state, problem);
+        begin(state, problem);
       }
 
     const Outcome nested = solve_nested(state, problem);
@@ -423,7 +475,7 @@ namespace fiberloom
     // damped loop normals follow every iteration: from where slow loops got,
     // else from the last good state, unless it has failed from there.
     const bool goes_on = nested == Outcome::slow && !is_lost();
-    if (goes_on || !follows)
+    if (goes_on || !loop_first)
       {
         if (!goes_on)
           state = problem.before;
@@ -513,7 +565,6 @@ namespace fiberloom
                        const double       damping_over_Er)
   {
     damping = damping_over_Er;
-    leaps   = false;
     last_step.resize(0);
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -537,9 +588,9 @@ namespace fiberloom
     damping = least_damping;
     last_step.resize(0);
     std::vector<double> residuals;
-    leaps                    = false;
-    unsigned int stiffenings = 0, since_stiffening = 0;
-    const auto   stiffen = [&]() {
+    bool                quiet       = false;
+    unsigned int        stiffenings = 0, since_stiffening = 0;
+    const auto          stiffen = [&]() {
       adapt_stiffness(state);
       ++stiffenings;
       since_stiffening = 0;
@@ -551,7 +602,13 @@ namespace fiberloom
       {
         longest_step = goes_round(residuals) ? .5 : 1;
         generate(state, problem);
-        leaps           = !leaps && creeps(residuals);
+        quiet = creeps(residuals) ||
+                (quiet && residuals.back() < thrown * residuals.end()[-2]);
+        if (quiet)
+          damping =
+            std::max(damping * damping_decay, quiet_part * least_damping);
+        else
+          damping = std::max(damping, least_damping);
         const Step step = newton_step(state, problem, tolerance(), true);
         longest_step    = 1;
         residuals.push_back(last_residual);
@@ -565,9 +622,9 @@ namespace fiberloom
             case Step::failed:
               return false;
             case Step::moved:
-              if (last_factor < short_step)
+              if (last_cut < short_step)
                 damping *= damping_growth;
-              else if (last_factor > long_step)
+              else if (last_cut > long_step && damping > least_damping)
                 damping = std::max(damping * damping_decay, least_damping);
               if (last_residual < stiffening_from * tolerance() &&
                   since_stiffening >= least_between && needs_stiffening())

@@ -17,11 +17,10 @@ namespace fiberloom
     // Below this size the double factor costs next to nothing more.
     constexpr unsigned int single_precision_from = 20000;
 
-    constexpr double       relative_tolerance = 1e-9;
-    constexpr int          krylov_space       = 60;
-    constexpr unsigned int largest_cycles     = 5;
-    constexpr double       shift_growth       = 8;
-    constexpr unsigned int largest_shifts     = 12;
+    constexpr int          krylov_space   = 60;
+    constexpr unsigned int largest_cycles = 5;
+    constexpr double       shift_growth   = 8;
+    constexpr unsigned int largest_shifts = 12;
 
     // Beyond so many it may be rounding that makes pivots negative.
     constexpr unsigned int largest_single_shifts = 3;
@@ -83,6 +82,7 @@ namespace fiberloom
             Epetra_Operator       &preconditioner,
             Epetra_Vector         &b,
             Epetra_Vector         &x,
+            const double           relative_tolerance,
             LinearSolver::Outcome &outcome)
     {
       ScopedTimer timer(outcome.krylov);
@@ -137,10 +137,12 @@ namespace fiberloom
                       const double               damping,
                       const double               shift_unit,
                       std::vector<double>       &solution,
-                      const bool                 may_be_indefinite)
+                      const bool                 may_be_indefinite,
+                      const double               tolerance)
   {
     Outcome outcome;
-    outcome.shift = damping;
+    relative_tolerance = tolerance;
+    outcome.shift      = damping;
     matrix.add_to_diagonal(damping);
 
     solution.resize(right_hand_side.size());
@@ -201,7 +203,8 @@ namespace fiberloom
         shift_more(matrix, attempt, shift_unit, outcome);
       }
     FactorPreconditioner preconditioner(*factor, matrix);
-    return iterate(matrix, preconditioner, b, x, outcome) || !in_single;
+    return iterate(matrix, preconditioner, b, x, relative_tolerance, outcome) ||
+           !in_single;
   }
 
 
@@ -231,7 +234,12 @@ namespace fiberloom
           ScopedTimer timer(outcome.analysis);
           multigrid->build(matrix);
         }
-        if (!iterate(matrix, multigrid->preconditioner(), b, x, outcome))
+        if (!iterate(matrix,
+                     multigrid->preconditioner(),
+                     b,
+                     x,
+                     relative_tolerance,
+                     outcome))
           return false;
         double slope;
         x.Dot(b, &slope);
@@ -259,7 +267,7 @@ namespace fiberloom
       outcome.negative_pivots = blocks->factorize(matrix);
     }
     if (outcome.negative_pivots != 0 ||
-        !iterate(matrix, *blocks, b, x, outcome))
+        !iterate(matrix, *blocks, b, x, relative_tolerance, outcome))
       return false;
     // Both blocks may be definite where the whole is not.
     double slope;

@@ -66,6 +66,10 @@ namespace fiberloom
     double
     largest_move(const Eigen::VectorXd &increment) const;
 
+    /** The same by what bodies have to go to reach @p targets . */
+    double
+    largest_prescribed_move(const State &state, const Targets &targets) const;
+
     /** Adds @p factor times @p increment to @p state . */
     void
     advance(State                 &state,

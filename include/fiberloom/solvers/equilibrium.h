@@ -144,8 +144,7 @@ namespace fiberloom
                  const Eigen::VectorXd &increment,
                  const double           factor) const;
 
-    /** What is taken of a damped step that goes back on the one before, or
-     * that creeps on as that did. */
+    /** What is taken of a damped step that goes back on the one before. */
     double
     relaxation(const Eigen::VectorXd &increment) const;
 
@@ -159,6 +158,15 @@ namespace fiberloom
       slow, // towards equilibrium, but not fast enough
       failed
     };
+
+    /** Whether normals follow every iteration from the first one on. */
+    bool
+    follows(const Problem &problem) const;
+
+    /** The last accepted state with its contacts, of a fabric whose ends move
+     * stiffened where the increment would have to. */
+    void
+    begin(State &state, const Problem &problem);
 
     /**
      * Contacts of @p state , and where the last increment tells where fibers
@@ -175,7 +183,8 @@ namespace fiberloom
     bool
     needs_stiffening() const;
 
-    void
+    /** Of zones that are too soft; whether there were any. */
+    bool
     adapt_stiffness(State &state) const;
 
     double
@@ -201,9 +210,10 @@ namespace fiberloom
     double                      last_residual = 0; // before it
     Eigen::VectorXd             last_step;
     double                      longest_step = 1;
-    bool                        leaps        = false; // to where a creep leads
-    double                      deepest_penetration  = 0; // over the radius
-    int                         last_negative_pivots = 0;
+    double prescribed_limit; // of steps that move bodies, over the radius
+    double last_cut             = 1; // by the last line search
+    double deepest_penetration  = 0; // over the radius
+    int    last_negative_pivots = 0;
   };
 } // namespace fiberloom
 

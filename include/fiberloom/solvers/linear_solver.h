@@ -54,7 +54,8 @@ namespace fiberloom
     /**
      * @p solution : the owned part, resized. @p damping is added to the
      * diagonal of @p matrix in any case, @p shift_unit is the smallest shift
-     * to be tried where that is indefinite [N/mm] unless it may be. Throws
+     * to be tried where that is indefinite [N/mm] unless it may be. The
+     * residual is reduced to @p tolerance times the right hand side. Throws
      * StageFailure if no shift helps.
      */
     Outcome
@@ -63,7 +64,8 @@ namespace fiberloom
           const double               damping,
           const double               shift_unit,
           std::vector<double>       &solution,
-          const bool                 may_be_indefinite = false);
+          const bool                 may_be_indefinite = false,
+          const double               tolerance         = 1e-9);
 
     /** Seconds of one factorisation of @p matrix in double precision. */
     static double
@@ -98,6 +100,7 @@ namespace fiberloom
                     Outcome       &outcome);
 
     MPI_Comm                             communicator;
+    double                               relative_tolerance = 0;
     DirectFactor::Precision              precision;
     std::unique_ptr<DirectFactor>        factor;
     std::unique_ptr<BlockPreconditioner> blocks;    // or null
