@@ -7,7 +7,7 @@ import json
 import os
 import sys
 
-from program_runs import SMALL_WEAVE, check, check_same, finish, run
+from program_runs import SMALL_WEAVE, check, check_same, curve, finish, run
 
 # Iterations that move fibers so little are too few for a large step.
 SETTINGS = ["Biaxial/Largest strain=0.03", "Biaxial/Largest step=1", "Solver/Growth=1",
@@ -22,14 +22,14 @@ def rejected(directory):
 
 def main():
     check("woven", run(SMALL_WEAVE, "woven", "Stages=weave, relax").returncode == 0)
-    for step, directory in ((1, "large"), (None, "small")):
-        if step is None:
-            step = .5**rejected("large")
+    for directory in ("large", "small"):
+        step = 1 if directory == "large" else curve("large")[0]["load"]
         settings = ["Stages=biaxial", f"Biaxial/First step={step}", *SETTINGS]
         done = run(SMALL_WEAVE, directory, *settings, restart=os.path.join("woven", "checkpoint"))
         check(f"first step {step}: status {done.returncode} {done.stderr}", done.returncode == 0)
-    check(f"increments were rejected: {rejected('large')}", rejected("large") > 0)
-    check(f"and none with the small step: {rejected('small')}", rejected("small") == 0)
+    # Increments after the first accepted one may be rejected in both alike.
+    counts = rejected("large"), rejected("small")
+    check(f"increments were rejected: {counts[0]}, and less with the small step: {counts[1]}", counts[0] > counts[1])
     check_same("curve", "large", "small", 1e-10)
     finish()
 

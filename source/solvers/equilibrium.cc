@@ -53,9 +53,9 @@ namespace fiberloom
     // As the allowed overlap shrinks, the energy has to rise at first.
     constexpr unsigned int shrinking_search_from = 2;
 
-    // A fabric that is pulled moves by no more than this part of what its ends
-    // do in an increment, or of the radius, in one step: further ahead are
-    // other fibers.
+    // While its ends are moved, a fabric goes by no more than this part of
+    // their way in the increment, or of the radius, in one step: further ahead
+    // are other fibers.
     constexpr double part_of_ends = .15, least_limit = .1;
 
     // Newton steps cut below the first part of their length ask for more

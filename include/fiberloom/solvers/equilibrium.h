@@ -210,7 +210,10 @@ namespace fiberloom
     double                      last_residual = 0; // before it
     Eigen::VectorXd             last_step;
     double                      longest_step = 1;
-    double prescribed_limit; // of steps that move bodies, over the radius
+
+    // Of steps that move bodies, over the radius.
+    double prescribed_limit;
+
     double last_cut             = 1; // by the last line search
     double deepest_penetration  = 0; // over the radius
     int    last_negative_pivots = 0;
