@@ -332,6 +332,15 @@ main()
         const std::string name = std::string(curved ? "curved" : "straight") +
                                  (poisson_ratio == .3 ? ", .3" : ", .45");
         check_by_differences(checks, name, element, q);
+        if (poisson_ratio == .3)
+          check_by_differences(checks,
+                               name + ", linear",
+                               BeamElement(mesh.reference(),
+                                           1,
+                                           E,
+                                           poisson_ratio,
+                                           AxialLaw::linear),
+                               q);
         check_by_sacado(
           checks, name, element, mesh.reference(), q, poisson_ratio);
       }

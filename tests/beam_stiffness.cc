@@ -135,6 +135,16 @@ namespace
                  1e-12);
     residual[0] = residual[18] = 0;
     checks.below("uniaxial: rest", residual.norm(), 1e-12);
+
+    const BeamElement linear(
+      mesh.reference(), 1, 1, poisson_ratio, AxialLaw::linear);
+    linear.residual(q, residual);
+    checks.below("uniaxial, linear: tip force",
+                 residual[18] / (A * (stretch - 1)) - 1,
+                 1e-12);
+    checks.below("uniaxial, linear: section force",
+                 linear.section_forces(q, 1).force[0] / (A * (stretch - 1)) - 1,
+                 1e-12);
   }
 } // namespace
 

@@ -59,7 +59,7 @@ namespace
     LinearSolver(system, "double factor")
       .solve(system.matrix(),
              system.right_hand_side(),
-             0,
+             std::vector<double>(system.layout().n_blocks(), 0.),
              1e-3 * system.stiffness_scale(),
              solution);
     result.solution = system.gather(solution);

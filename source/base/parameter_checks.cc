@@ -304,6 +304,8 @@ namespace fiberloom
     const double elements = by_accuracy(accuracy, 4., 6., 10.);
     resolve_tows(fabric.warp, fabric.fill, elements);
     resolve_tows(fabric.fill, fabric.warp, elements);
+    replace_zero(fibers.elements_per_fiber,
+                 by_accuracy(accuracy, 8u, 16u, 32u));
 
     replace_zero(contact.largest_penetration,
                  by_accuracy(accuracy, .02, .02, .01));

@@ -14,6 +14,17 @@ namespace fiberloom
                   most_iterations = 100000;
 
     void
+    declare_axial_law(ParameterCatalogue &catalogue, std::string &axial_law)
+    {
+      catalogue.add("Axial law",
+                    axial_law,
+                    "Of the axial force: that of the solid's law, which grows "
+                    "by 1.5 % more than the stretch at a strain of 1 %, or "
+                    "linear in the stretch, as in theories of rods.",
+                    Allowed::one_of("Saint Venant-Kirchhoff|linear"));
+    }
+
+    void
     declare_material(ParameterCatalogue &catalogue,
                      double             &young_modulus,
                      double             &poisson_ratio,
@@ -118,6 +129,7 @@ namespace fiberloom
                        tows.young_modulus,
                        tows.poisson_ratio,
                        tows.density);
+      declare_axial_law(catalogue, tows.axial_law);
       catalogue.add(
         "Elements per fiber",
         tows.elements_per_fiber,
@@ -226,10 +238,12 @@ namespace fiberloom
                     "Density of the fibers [t/mm^3], only for Load/Gravity; "
                     "several as for Radius.",
                     Allowed::list_of(Allowed::at_least(0), 1));
+      declare_axial_law(catalogue, fibers.axial_law);
       catalogue.add("Elements per fiber",
                     fibers.elements_per_fiber,
-                    "Number of quadratic beam elements along each fiber.",
-                    Allowed::whole(1, most_elements));
+                    "Number of quadratic beam elements along each fiber. 0: by "
+                    "the accuracy, 8 (draft), 16 (standard) or 32 (fine).",
+                    Allowed::whole(0, most_elements));
       catalogue.leave_section();
     }
 

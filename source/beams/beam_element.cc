@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fiberloom
@@ -24,6 +25,25 @@ namespace fiberloom
     // section vectors they are made of.
     constexpr std::array<unsigned int, 3> section_rows{{0, 1, 5}};
     constexpr unsigned int section_vectors[3][2] = {{1, 1}, {2, 2}, {1, 2}};
+
+    // The strain of the centre line among the generalised strains.
+    constexpr unsigned int axial = 2;
+
+    /**
+     * What makes the axial force linear in the stretch: energy over E A and
+     * its derivatives by the centre line's strain @p e .
+     */
+    struct LinearAxialLaw
+    {
+      LinearAxialLaw(const double e)
+        : stretch(std::sqrt(std::max(1 + 2 * e, 1e-12)))
+        , energy(.5 * ((stretch - 1) * (stretch - 1) - e * e))
+        , force((stretch - 1) / stretch - e)
+        , stiffness(1 / (stretch * stretch * stretch) - 1)
+      {}
+
+      const double stretch, energy, force, stiffness;
+    };
 
     // Which nodal vector (x0, r g1, r g2) each of q1..q5 interpolates.
     constexpr std::array<unsigned int, 5> slot{{1, 2, 0, 1, 2}};
@@ -90,11 +110,14 @@ namespace fiberloom
 
 
 
-  BeamElement::BeamElement(const Vector &reference,
-                           const double  radius,
-                           const double  young_modulus,
-                           const double  poisson_ratio)
+  BeamElement::BeamElement(const Vector  &reference,
+                           const double   radius,
+                           const double   young_modulus,
+                           const double   poisson_ratio,
+                           const AxialLaw law)
     : radius(radius)
+    , linear_stiffness(
+        law == AxialLaw::linear ? M_PI * radius * radius * young_modulus : 0)
     , reference_length(0)
     , node_gram(node_section_gram(reference, radius))
   {
@@ -162,6 +185,18 @@ namespace fiberloom
 
 
 
+  SectionStiffness::Vector
+  BeamElement::stress(const GaussPoint               &point,
+                      const SectionStiffness::Vector &strain) const
+  {
+    SectionStiffness::Vector S = point.stiffness * strain;
+    if (linear_stiffness > 0)
+      S[axial] += linear_stiffness * LinearAxialLaw(strain[axial]).force;
+    return S;
+  }
+
+
+
   double
   BeamElement::energy(const Vector &q) const
   {
@@ -175,6 +210,9 @@ namespace fiberloom
                 point,
                 e);
         energy += .5 * point.weight * e.dot(point.stiffness * e);
+        if (linear_stiffness > 0)
+          energy +=
+            point.weight * linear_stiffness * LinearAxialLaw(e[axial]).energy;
       }
     const Vector3 a = section_strain * Eigen::Map<const Vector3>(mode.data());
     return energy + .5 * a.dot(hourglass_stiffness * a);
@@ -231,7 +269,7 @@ namespace fiberloom
         const auto               vectors = interpolation(q);
         SectionStiffness::Vector e;
         strains(vectors, section_strain, point, e);
-        const SectionStiffness::Vector S = point.weight * (point.stiffness * e);
+        const SectionStiffness::Vector S = point.weight * stress(point, e);
 
         for (unsigned int k = 0; k < 3; ++k)
           for (unsigned int a = 0; a < 3; ++a)
@@ -285,7 +323,11 @@ namespace fiberloom
               for (unsigned int a = 0; a < 3; ++a)
                 B.block<1, 9>(section_rows[k], 9 * a) =
                   point.shape[a] * node_section_gradient(q, k, a);
-            const StrainGradient DB = point.stiffness * B;
+            StrainGradient DB = point.stiffness * B;
+            if (linear_stiffness > 0)
+              DB.row(axial) += linear_stiffness *
+                               LinearAxialLaw(e[axial]).stiffness *
+                               B.row(axial);
             tangent->noalias() += point.weight * (B.transpose() * DB);
           }
       }
@@ -346,7 +388,7 @@ namespace fiberloom
       Interpolation(point.shape, point.derivative, radius)(q);
     SectionStiffness::Vector e;
     strains(vectors, node_section_gram(q, radius) - node_gram, point, e);
-    const SectionStiffness::Vector S = point.stiffness * e;
+    const SectionStiffness::Vector S = stress(point, e);
 
     std::array<Vector3, 5> conjugate;
     conjugate.fill(Vector3::Zero());

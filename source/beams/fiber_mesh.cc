@@ -68,7 +68,8 @@ namespace fiberloom
                                          9 * (line.first_node + 2 * e)),
                                        fiber.radius,
                                        fiber.young_modulus,
-                                       fiber.poisson_ratio);
+                                       fiber.poisson_ratio,
+                                       fiber.law);
             element_fibers.push_back(fiber_lines.size());
             line.length += beam_elements.back().length();
           }

@@ -203,6 +203,7 @@ namespace fiberloom
         fiber.poisson_ratio =
           value_of(fibers.poisson_ratio, "Poisson ratio", group, n_groups);
         fiber.density = value_of(fibers.density, "Density", group, n_groups);
+        fiber.law     = axial_law(fibers.axial_law);
         return fiber;
       }
 
@@ -378,6 +379,15 @@ namespace fiberloom
       }
     };
   } // namespace
+
+  AxialLaw
+  axial_law(const std::string &name)
+  {
+    return name == "linear" ? AxialLaw::linear :
+                              AxialLaw::saint_venant_kirchhoff;
+  }
+
+
 
   FiberSet
   build_fibers(const Parameters &parameters)

@@ -118,8 +118,17 @@ namespace fiberloom
   void
   BlockMatrix::add_to_diagonal(const double value)
   {
+    add_to_diagonal(std::vector<double>(numbering.n_blocks(), value));
+  }
+
+
+
+  void
+  BlockMatrix::add_to_diagonal(const std::vector<double> &values)
+  {
     for (const unsigned int row : numbering.owned_blocks())
       {
+        const double       value   = values[row];
         const unsigned int n       = numbering.size(row);
         double            *entries = block(row, row);
         for (unsigned int i = 0; i < n; ++i)

@@ -149,6 +149,9 @@ namespace fiberloom
         add(std::log(line.radius), 1e-6);
         add(std::log(line.young_modulus), 1e-6);
         add(fibers.fibers[f].poisson_ratio, 1e-6);
+        // Not of the other one: checkpoints from before there was a choice.
+        if (fibers.fibers[f].law == AxialLaw::linear)
+          add(1, 1);
         for (unsigned int i = 9 * line.first_node;
              i < 9 * (line.first_node + line.n_nodes());
              ++i)

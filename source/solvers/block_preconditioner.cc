@@ -25,6 +25,15 @@ namespace fiberloom
 
 
 
+  void
+  BlockPreconditioner::forget_ordering()
+  {
+    fibers.forget_ordering();
+    hexes.forget_ordering();
+  }
+
+
+
   int
   BlockPreconditioner::factorize(const BlockMatrix &matrix)
   {

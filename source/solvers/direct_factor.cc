@@ -27,6 +27,9 @@ namespace fiberloom
     virtual void
     analyse(const BlockMatrix &matrix) = 0;
 
+    virtual void
+    forget_ordering() = 0;
+
     virtual int
     factorize(const BlockMatrix &matrix) = 0;
 
@@ -103,6 +106,10 @@ namespace fiberloom
                (part == DirectFactor::Part::matrix);
     }
 
+    // Operations of a factor with an ordering of an earlier pattern, over those
+    // when it was new.
+    constexpr double largest_growth = 1.05;
+
     /**
      * Position of each dof in the pivot order (from one), on rank 0; METIS's
      * nested dissection on the graph of blocks, which is 80 times smaller
@@ -152,7 +159,8 @@ namespace fiberloom
       std::vector<idx_t> order(n), position(n);
       idx_t              options[METIS_NOPTIONS];
       METIS_SetDefaultOptions(options);
-      options[METIS_OPTION_SEED] = 1;
+      options[METIS_OPTION_SEED]  = 1;
+      options[METIS_OPTION_NSEPS] = 5; // 5 % fewer operations than with one
       if (METIS_NodeND(&n,
                        begin.data(),
                        neighbours.data(),
@@ -210,8 +218,30 @@ namespace fiberloom
     void
     analyse(const BlockMatrix &matrix) override
     {
-      if (analysed != matrix.pattern_version() || &matrix != analysed_matrix)
-        order(matrix);
+      if (analysed == matrix.pattern_version() && &matrix == analysed_matrix)
+        return;
+      set_pattern(matrix);
+      if (has_ordering && &matrix == analysed_matrix)
+        {
+          analyse_ordered();
+          if (data.rinfog[0] > largest_growth * operations)
+            has_ordering = false;
+        }
+      if (!has_ordering || &matrix != analysed_matrix)
+        {
+          positions = pivot_positions(matrix, part);
+          analyse_ordered();
+          operations   = data.rinfog[0];
+          has_ordering = true;
+        }
+      analysed        = matrix.pattern_version();
+      analysed_matrix = &matrix;
+    }
+
+    void
+    forget_ordering() override
+    {
+      has_ordering = false;
     }
 
     int
@@ -328,7 +358,7 @@ namespace fiberloom
     }
 
     void
-    order(const BlockMatrix &matrix)
+    set_pattern(const BlockMatrix &matrix)
     {
       rows.clear();
       columns.clear();
@@ -339,7 +369,6 @@ namespace fiberloom
                              rows.push_back(row + 1);
                              columns.push_back(column + 1);
                            });
-      positions = pivot_positions(matrix, part);
 
       const BlockLayout &layout = matrix.layout();
       block_begins.clear();
@@ -358,17 +387,20 @@ namespace fiberloom
       data.nnz_loc = rows.size();
       data.irn_loc = rows.data();
       data.jcn_loc = columns.data();
-      data.perm_in = positions.data();
       data.nblk    = layout.n_blocks();
       data.blkptr  = block_begins.data();
+    }
+
+    void
+    analyse_ordered()
+    {
+      data.perm_in = positions.data();
       data.job     = 1;
       call(data);
       if (data.infog[0] < 0)
         throw StageFailure("the analysis of the system of equations failed: "
                            "MUMPS reports error " +
                            std::to_string(data.infog[0]));
-      analysed        = matrix.pattern_version();
-      analysed_matrix = &matrix;
     }
 
     void
@@ -389,6 +421,8 @@ namespace fiberloom
     unsigned int                                 rank;
     Mumps                                        data{};
     unsigned int                                 analysed        = 0;
+    bool                                         has_ordering    = false;
+    double                                       operations      = 0;
     const BlockMatrix                           *analysed_matrix = nullptr;
     std::vector<int>                             rows, columns, positions;
     std::vector<int>                             block_begins;
@@ -420,6 +454,14 @@ namespace fiberloom
   DirectFactor::analyse(const BlockMatrix &matrix)
   {
     implementation->analyse(matrix);
+  }
+
+
+
+  void
+  DirectFactor::forget_ordering()
+  {
+    implementation->forget_ordering();
   }
 
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fiberloom
 {
@@ -24,7 +25,7 @@ namespace fiberloom
 
     // The damped loop stiffens as soon as the residual is below this multiple
     // of the tolerance, not in every iteration, and at most so many times.
-    constexpr double       stiffening_from     = 10;
+    constexpr double       stiffening_from = 10, loosest_stiffening = .1;
     constexpr unsigned int least_between       = 2;
     constexpr unsigned int largest_stiffenings = 20;
 
@@ -40,7 +41,7 @@ namespace fiberloom
                      tightest_inner = 1e-5;
 
     // Of the linear systems: what they leave is well below what is allowed.
-    constexpr double linear_reduction = .01, loosest_linear = 1e-5,
+    constexpr double linear_reduction = .01, loosest_linear = 1e-4,
                      tightest_linear = 1e-9;
 
     // A tight fabric, whose contact forces are large, needs more.
@@ -53,15 +54,25 @@ namespace fiberloom
     // As the allowed overlap shrinks, the energy has to rise at first.
     constexpr unsigned int shrinking_search_from = 2;
 
-    // While its ends are moved, a fabric goes by no more than this part of
-    // their way in the increment, or of the radius, in one step: further ahead
-    // are other fibers.
+    // The ends of a fabric are moved by no more than this part of their way in
+    // the increment, or of the radius, in one step.
     constexpr double part_of_ends = .15, least_limit = .1;
+
+    // Fibers that go further in a step, over the radius, than other fibers may
+    // be away get more damping, each for itself.
+    constexpr double far_move = .1, largest_line_damping = 64;
+
+    // Of contacts that are about to close, over the largest contact force.
+    constexpr double approach_force = .01, approach_over_tolerance = .3;
 
     // Newton steps cut below the first part of their length ask for more
     // damping, beyond the second one for less.
     constexpr double short_step = .3, long_step = .7;
     constexpr double damping_growth = 4, damping_decay = .5;
+
+    // What a damped step of a pull may still change of the forces, over the
+    // largest one: soft fibers give up theirs long after residuals are small.
+    constexpr double largest_drift = .005, drift_over_tolerance = .5;
 
     // Frozen normals, behind the tangent, can make steps swing to and fro:
     // those that go back by more than this part of the last one are shortened.
@@ -71,8 +82,11 @@ namespace fiberloom
     // least, until a residual grows by the second factor: fibers were thrown.
     constexpr double quiet_part = 1e-3, thrown = 2;
 
-    constexpr double       diverged         = 1e8;
-    constexpr double       shift_over_Er    = 1e-4;
+    // A machine with other work on it is not always as fast.
+    constexpr unsigned int yardstick_every = 10;
+
+    constexpr double       diverged      = 1e8;
+    constexpr double       shift_over_Er = 1e-4, shift_over_damping = 8;
     constexpr unsigned int largest_halvings = 8;
 
     // Contacts that open and close by turns bring the same residuals back.
@@ -282,6 +296,13 @@ namespace fiberloom
                            const double   tolerance,
                            const bool     search_line)
   {
+    const double approach =
+      pulls ?
+        std::min(approach_force, approach_over_tolerance * this->tolerance()) *
+          residual_scale(problem) :
+        0;
+    for (ContactElement &contact : contact_elements)
+      contact.approach_force = approach;
     {
       ScopedTimer timer(statistics.seconds.assembly);
       system.assemble(state, problem.targets, contact_elements);
@@ -292,7 +313,10 @@ namespace fiberloom
     last_residual         = residual;
     watch({residual, damping, last_factor});
     const double allowed = std::max(tolerance, system.rounding_force() / scale);
-    if (!moves && residual < allowed)
+    const double drift   = reaction_drift();
+    if (!moves && residual < allowed &&
+        (!pulls ||
+         drift < std::min(largest_drift, drift_over_tolerance * tolerance)))
       return Step::converged;
     if (!(residual < diverged))
       return Step::failed;
@@ -312,15 +336,23 @@ namespace fiberloom
       ScopedTimer timer(statistics.seconds.linear_solver);
       outcome = linear_solver.solve(system.matrix(),
                                     system.right_hand_side(),
-                                    damping * system.stiffness_scale(),
-                                    shift_over_Er * system.stiffness_scale(),
+                                    block_dampings(),
+                                    std::max(shift_over_Er,
+                                             shift_over_damping * damping) *
+                                      system.stiffness_scale(),
                                     solution,
                                     !has_potential,
                                     linear_tolerance);
     }
-    if (parameters.solver.benchmark && statistics.seconds.yardstick == 0)
-      statistics.seconds.yardstick =
-        LinearSolver::time_double_factorization(system.matrix());
+    if (parameters.solver.benchmark &&
+        statistics.newton_iterations % yardstick_every == 0)
+      {
+        const double seconds =
+          LinearSolver::time_double_factorization(system.matrix());
+        ++n_yardsticks;
+        statistics.seconds.yardstick +=
+          (seconds - statistics.seconds.yardstick) / n_yardsticks;
+      }
     ++statistics.newton_iterations;
     statistics.linear_iterations += outcome.iterations;
     statistics.factorizations += outcome.factorizations;
@@ -333,11 +365,18 @@ namespace fiberloom
     const double          move      = system.motion().largest_move(increment);
     if (!std::isfinite(move))
       return Step::failed;
-    double       factor = longest_step * relaxation(increment);
-    const double limit =
-      moves ? prescribed_limit : parameters.solver.largest_move;
-    if (limit > 0 && !contact_elements.empty() && factor * move > limit)
-      factor = limit / move;
+    double factor = longest_step * relaxation(increment);
+    if (const double limit = parameters.solver.largest_move;
+        limit > 0 && !contact_elements.empty())
+      {
+        factor = std::min(factor, limit / std::max(move, limit));
+        if (moves)
+          factor = std::min(factor,
+                            prescribed_limit /
+                              std::max(prescribed_limit,
+                                       system.motion().largest_prescribed_move(
+                                         state, problem.targets)));
+      }
     last_cut = 1;
     if (search_line && !moves && has_potential)
       {
@@ -348,8 +387,72 @@ namespace fiberloom
       }
     last_factor = factor;
     last_step   = factor * increment;
+    if (pulls)
+      adapt_line_dampings(moves);
     system.motion().advance(state, increment, factor);
     return Step::moved;
+  }
+
+
+
+  double
+  Equilibrium::reaction_drift()
+  {
+    double largest = 0, change = 0;
+    for (unsigned int b = 0; b < system.reactions().size(); ++b)
+      {
+        const Vector3 force = system.reactions()[b].head<3>();
+        if (last_reactions.size() > b)
+          change = std::max(change, (force - last_reactions[b]).norm());
+        largest = std::max(largest, force.norm());
+      }
+    const bool first = last_reactions.empty();
+    last_reactions.resize(system.reactions().size());
+    for (unsigned int b = 0; b < last_reactions.size(); ++b)
+      last_reactions[b] = system.reactions()[b].head<3>();
+    return first && !last_reactions.empty() ?
+             1 :
+             change / std::max(largest, std::numeric_limits<double>::min());
+  }
+
+
+
+  std::vector<double>
+  Equilibrium::block_dampings() const
+  {
+    const double        usual = damping * system.stiffness_scale();
+    std::vector<double> dampings(system.layout().n_blocks(), usual);
+    for (unsigned int l = 0; l < line_dampings.size(); ++l)
+      {
+        const FiberMesh::Line &line = mesh.lines()[l];
+        std::fill_n(dampings.begin() + line.first_node,
+                    line.n_nodes(),
+                    usual * line_dampings[l]);
+      }
+    return dampings;
+  }
+
+
+
+  void
+  Equilibrium::adapt_line_dampings(const bool moves)
+  {
+    line_dampings.resize(mesh.lines().size(), 1.);
+    const double far = far_move + (moves ? .5 * prescribed_limit : 0);
+    for (unsigned int l = 0; l < line_dampings.size(); ++l)
+      {
+        const FiberMesh::Line &line = mesh.lines()[l];
+        double                 move = 0;
+        for (unsigned int n = line.first_node;
+             n < line.first_node + line.n_nodes();
+             ++n)
+          move = std::max(move, last_step.segment<3>(9 * n).norm());
+        if (move > far * line.radius)
+          line_dampings[l] =
+            std::min(line_dampings[l] * damping_growth, largest_line_damping);
+        else if (move < .5 * far * line.radius)
+          line_dampings[l] = std::max(line_dampings[l] * damping_decay, 1.);
+      }
   }
 
 
@@ -406,6 +509,7 @@ namespace fiberloom
   void
   Equilibrium::begin(State &state, const Problem &problem)
   {
+    linear_solver.forget();
     state = problem.before;
     generate(state, problem);
     if (follows(problem) && system.motion().moves(state, problem.targets) &&
@@ -482,8 +586,10 @@ namespace fiberloom
         if (one_loop(usual_damping))
           return true;
       }
+    // Strong damping stops on the way, with forces that soft fibers have not
+    // yet given up: it only leads to where the usual one can begin.
     state = problem.before;
-    return one_loop(strong_damping);
+    return one_loop(strong_damping) && one_loop(usual_damping);
   }
 
 
@@ -510,6 +616,8 @@ namespace fiberloom
   Equilibrium::solve_nested(State &state, const Problem &problem)
   {
     damping = 0;
+    pulls   = false;
+    line_dampings.clear();
     for (unsigned int pass = 0; pass < parameters.solver.largest_contact_passes;
          ++pass)
       {
@@ -565,6 +673,8 @@ namespace fiberloom
                        const double       damping_over_Er)
   {
     damping = damping_over_Er;
+    pulls   = false;
+    line_dampings.clear();
     last_step.resize(0);
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -586,7 +696,11 @@ namespace fiberloom
                                  const double       least_damping)
   {
     damping = least_damping;
+    pulls   = follows(problem) &&
+            system.motion().moves(problem.before, problem.targets);
+    line_dampings.clear();
     last_step.resize(0);
+    last_reactions.clear();
     std::vector<double> residuals;
     bool                quiet       = false;
     unsigned int        stiffenings = 0, since_stiffening = 0;
@@ -626,7 +740,10 @@ namespace fiberloom
                 damping *= damping_growth;
               else if (last_cut > long_step && damping > least_damping)
                 damping = std::max(damping * damping_decay, least_damping);
-              if (last_residual < stiffening_from * tolerance() &&
+              // What has only been hit in passing needs no stiffness.
+              if (last_residual < std::min(stiffening_from * tolerance(),
+                                           loosest_stiffening) &&
+                  !system.motion().moves(state, problem.targets) &&
                   since_stiffening >= least_between && needs_stiffening())
                 stiffen();
               break;

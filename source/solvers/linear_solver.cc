@@ -20,7 +20,11 @@ namespace fiberloom
     constexpr int          krylov_space   = 60;
     constexpr unsigned int largest_cycles = 5;
     constexpr double       shift_growth   = 8;
-    constexpr unsigned int largest_shifts = 12;
+
+    // Corrections that leave more than this part of the residual are those of
+    // another matrix: Krylov's method needs fewer.
+    constexpr double       largest_contraction = .01;
+    constexpr unsigned int largest_shifts      = 12;
 
     // Beyond so many it may be rounding that makes pivots negative.
     constexpr unsigned int largest_single_shifts = 3;
@@ -92,6 +96,24 @@ namespace fiberloom
       if (norm == 0)
         return true;
 
+      // Around a factor of the same matrix one correction is mostly enough.
+      Epetra_Vector residual(b), product(b.Map()), correction(b.Map());
+      for (double before = norm, after = 0;; before = after)
+        {
+          preconditioner.ApplyInverse(residual, correction);
+          matrix.Apply(correction, product);
+          ++outcome.iterations;
+          residual.Update(-1, product, 1);
+          residual.Norm2(&after);
+          if (!(after < before))
+            break;
+          x.Update(1, correction, 1);
+          if (after <= relative_tolerance * norm)
+            return true;
+          if (after > largest_contraction * before)
+            break;
+        }
+
       AztecOO krylov;
       krylov.SetUserOperator(&matrix);
       krylov.SetLHS(&x);
@@ -134,7 +156,7 @@ namespace fiberloom
   LinearSolver::Outcome
   LinearSolver::solve(BlockMatrix               &matrix,
                       const std::vector<double> &right_hand_side,
-                      const double               damping,
+                      const std::vector<double> &damping,
                       const double               shift_unit,
                       std::vector<double>       &solution,
                       const bool                 may_be_indefinite,
@@ -142,7 +164,6 @@ namespace fiberloom
   {
     Outcome outcome;
     relative_tolerance = tolerance;
-    outcome.shift      = damping;
     matrix.add_to_diagonal(damping);
 
     solution.resize(right_hand_side.size());
@@ -163,8 +184,8 @@ namespace fiberloom
       {
         // From now on: what made it too coarse will be there again.
         use(DirectFactor::Precision::double_precision);
-        matrix.add_to_diagonal(damping - outcome.shift);
-        outcome.shift = damping;
+        matrix.add_to_diagonal(-outcome.shift);
+        outcome.shift = 0;
         solve_by_current_factor();
       }
     return outcome;
@@ -273,6 +294,16 @@ namespace fiberloom
     double slope;
     x.Dot(b, &slope);
     return slope >= 0;
+  }
+
+
+
+  void
+  LinearSolver::forget()
+  {
+    factor->forget_ordering();
+    if (blocks)
+      blocks->forget_ordering();
   }
 
 

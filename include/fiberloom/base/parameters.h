@@ -31,8 +31,9 @@ namespace fiberloom
     double overhang = 0; // [mm], automatic: half a spacing of the crossing tows
     double young_modulus            = 73000; // [MPa]
     double poisson_ratio            = 0.22;
-    double density                  = 0; // [t/mm^3]
-    unsigned int elements_per_fiber = 0; // automatic
+    double density                  = 0;                        // [t/mm^3]
+    std::string  axial_law          = "Saint Venant-Kirchhoff"; // | linear
+    unsigned int elements_per_fiber = 0;                        // automatic
 
     /** Mean, where these tows cross @p crossing [mm]. */
     double
@@ -81,12 +82,13 @@ namespace fiberloom
     std::string               arrangement = "none"; // none | bundle | strand
     BundleParameters          bundle;
     StrandParameters          strand;
-    std::string         interpolation      = "automatic"; // | straight | smooth
-    std::string         stress_free        = "as given";  // as given | straight
-    std::vector<double> radius             = {0.01};      // [mm]
-    std::vector<double> young_modulus      = {73000};     // [MPa]
-    std::vector<double> poisson_ratio      = {0.22};
-    std::vector<double> density            = {0}; // [t/mm^3]
+    std::string         interpolation = "automatic"; // | straight | smooth
+    std::string         stress_free   = "as given";  // as given | straight
+    std::vector<double> radius        = {0.01};      // [mm]
+    std::vector<double> young_modulus = {73000};     // [MPa]
+    std::vector<double> poisson_ratio = {0.22};
+    std::vector<double> density       = {0};                      // [t/mm^3]
+    std::string         axial_law     = "Saint Venant-Kirchhoff"; // | linear
     unsigned int        elements_per_fiber = 8;
 
     /** The entries that say where fibers come from, of those given. */

@@ -6,6 +6,8 @@
 
 #include <fiberloom/base/vector_types.h>
 
+#include <fiberloom/fabric/fiber_set.h>
+
 #include <fiberloom/beams/section_stiffness.h>
 
 #include <array>
@@ -25,6 +27,10 @@ namespace fiberloom
    * interpolated to the Gauss points, and their second difference a carries
    * the energy (A L/4) a.D_ps a with the plane-stress matrix D_ps: without it
    * the section can oscillate along the fiber as 3 xi^2 - 1 at no cost.
+   *
+   * With AxialLaw::linear the energy of the centre line's strain e33,
+   * E A e33^2/2, makes way for E A (lambda - 1)^2/2, lambda^2 = 1 + 2 e33: the
+   * axial force is then N = E A (lambda - 1).
    */
   class BeamElement
   {
@@ -34,10 +40,11 @@ namespace fiberloom
 
     /** @p reference : stress-free dofs; throws InputError if it is degenerate.
      */
-    BeamElement(const Vector &reference,
-                const double  radius,
-                const double  young_modulus,
-                const double  poisson_ratio);
+    BeamElement(const Vector  &reference,
+                const double   radius,
+                const double   young_modulus,
+                const double   poisson_ratio,
+                const AxialLaw law = AxialLaw::saint_venant_kirchhoff);
 
     /** [N mm] */
     double
@@ -88,6 +95,11 @@ namespace fiberloom
             const GaussPoint             &point,
             SectionStiffness::Vector     &strain) const;
 
+    /** Stress resultants [N]. */
+    SectionStiffness::Vector
+    stress(const GaussPoint               &point,
+           const SectionStiffness::Vector &strain) const;
+
     template <bool with_tangent>
     void
     evaluate(const Vector &q, Vector &residual, Matrix *tangent) const;
@@ -99,6 +111,7 @@ namespace fiberloom
                           const unsigned int node) const;
 
     double                    radius;
+    double                    linear_stiffness; // E A [N] of that law, else 0
     double                    reference_length;
     std::array<GaussPoint, 2> points;
     Matrix3 node_gram; // e11, e22, e12 (rows) at the nodes (columns)

@@ -93,6 +93,10 @@ namespace fiberloom
    * Gradient and, if @p tangent is given, Hessian of the energy; stores gap,
    * forces, slip and status in @p contact . Returns false, with nothing else
    * set than those, when the contact is open.
+   *
+   * With an approach force a* the tangent, and nothing else, also holds what
+   * is about to close: a* (1 - g/g0)^2/g across gaps g below g0 = r/10, which
+   * Newton's method would else leap without seeing the other fiber.
    */
   bool
   evaluate_contact(ContactElement    &contact,

@@ -23,6 +23,17 @@ namespace fiberloom
     std::vector<Vector3> directions_2;
   };
 
+  /** Of the axial force with the stretch. */
+  enum class AxialLaw
+  {
+    saint_venant_kirchhoff,
+    linear
+  };
+
+  /** From its name among the parameters. */
+  AxialLaw
+  axial_law(const std::string &name);
+
   /**
    * One fiber as the user described it: a stress-free centre line through
    * 2 n_elements + 1 nodes with the two unit section vectors at each, a round
@@ -41,6 +52,7 @@ namespace fiberloom
 
     std::optional<FiberPlacement> initial = {}; // if it starts under stress
     double                        density = 0;  // [t/mm^3]
+    AxialLaw                      law     = AxialLaw::saint_venant_kirchhoff;
 
     unsigned int
     n_elements() const

@@ -46,6 +46,10 @@ namespace fiberloom
     void
     add_to_diagonal(const double value);
 
+    /** A value for each block. */
+    void
+    add_to_diagonal(const std::vector<double> &values);
+
     /** Where the block (row, column) is stored, row by row; the row is owned.
      */
     double *

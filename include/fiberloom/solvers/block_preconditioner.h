@@ -23,6 +23,9 @@ namespace fiberloom
     void
     analyse(const BlockMatrix &matrix);
 
+    void
+    forget_ordering();
+
     /** As DirectFactor::factorize(), of both; keeps a reference. */
     int
     factorize(const BlockMatrix &matrix);

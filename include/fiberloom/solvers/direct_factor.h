@@ -42,10 +42,17 @@ namespace fiberloom
                  const Part      part = Part::all);
     ~DirectFactor();
 
-    /** Orders the pattern of @p matrix if it has changed; throws StageFailure.
+    /**
+     * Analyses the pattern of @p matrix if it has changed; throws
+     * StageFailure. The ordering is kept for as long as the factor costs
+     * little more than with the one that was new.
      */
     void
     analyse(const BlockMatrix &matrix);
+
+    /** The next pattern is ordered anew. */
+    void
+    forget_ordering();
 
     /**
      * Factorises @p matrix , which has been analysed. Returns the number of

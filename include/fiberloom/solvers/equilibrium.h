@@ -144,6 +144,18 @@ namespace fiberloom
                  const Eigen::VectorXd &increment,
                  const double           factor) const;
 
+    /** Change of a body's force since the last call, over the largest one. */
+    double
+    reaction_drift();
+
+    /** Of each block [N/mm]. */
+    std::vector<double>
+    block_dampings() const;
+
+    /** More for fibers that went far in the last step, less for others. */
+    void
+    adapt_line_dampings(const bool moves);
+
     /** What is taken of a damped step that goes back on the one before. */
     double
     relaxation(const Eigen::VectorXd &increment) const;
@@ -210,6 +222,9 @@ namespace fiberloom
     double                      last_residual = 0; // before it
     Eigen::VectorXd             last_step;
     double                      longest_step = 1;
+    bool                        pulls        = false; // in the damped loop
+    std::vector<Vector3>        last_reactions;
+    std::vector<double>         line_dampings; // over the damping; may be empty
 
     // Of steps that move bodies, over the radius.
     double prescribed_limit;
@@ -217,6 +232,8 @@ namespace fiberloom
     double last_cut             = 1; // by the last line search
     double deepest_penetration  = 0; // over the radius
     int    last_negative_pivots = 0;
+
+    unsigned int n_yardsticks = 0; // whose mean is in the statistics
   };
 } // namespace fiberloom
 

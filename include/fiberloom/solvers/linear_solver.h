@@ -52,20 +52,26 @@ namespace fiberloom
     };
 
     /**
-     * @p solution : the owned part, resized. @p damping is added to the
-     * diagonal of @p matrix in any case, @p shift_unit is the smallest shift
-     * to be tried where that is indefinite [N/mm] unless it may be. The
+     * @p solution : the owned part, resized. @p damping , one value for each
+     * block, is added to the diagonal of @p matrix in any case, @p shift_unit
+     * is the smallest shift to be tried where that is indefinite [N/mm] unless
+     * it may be. The
      * residual is reduced to @p tolerance times the right hand side. Throws
      * StageFailure if no shift helps.
      */
     Outcome
     solve(BlockMatrix               &matrix,
           const std::vector<double> &right_hand_side,
-          const double               damping,
+          const std::vector<double> &damping,
           const double               shift_unit,
           std::vector<double>       &solution,
           const bool                 may_be_indefinite = false,
           const double               tolerance         = 1e-9);
+
+    /** What was kept of earlier systems to save time: from here on, a run that
+     * is restarted does the same as one that goes on. */
+    void
+    forget();
 
     /** Seconds of one factorisation of @p matrix in double precision. */
     static double
