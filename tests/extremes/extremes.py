@@ -12,8 +12,8 @@ with one line that names a setting; is wrong if a number is off; crashed otherwi
 
 Prints a table: row, value, quantity, verdict, Newton iterations, error, tolerance, CPU seconds,
 and what those that failed said. Ends with status 1 if something is wrong or crashed. --write
-puts both into a document behind the line that says it is generated, and the plot of error over
-cost beside it. --weaves runs random_weaves.py instead.
+puts both into a document behind the line that says it is generated, after each row. --weaves
+runs random_weaves.py instead.
 """
 
 import argparse
@@ -69,11 +69,11 @@ def sweep(arguments):
             for line in lines:
                 print(" | ".join(line), flush=True)
             table += lines
+        if arguments.write:  # after each row, so that a sweep can be cut off
+            write(arguments.write, table, messages)
     print(*messages, sep="\n")
     counts = {verdict: sum(line[3] == verdict for line in table) for verdict in ("survived", "failed") + UNUSABLE}
     print(", ".join(f"{count} {verdict}" for verdict, count in counts.items()))
-    if arguments.write:
-        write(arguments.write, table, messages)
     return any(counts[verdict] for verdict in UNUSABLE)
 
 

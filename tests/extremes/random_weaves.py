@@ -48,8 +48,9 @@ def weave(arguments, names, verdict_of):
         except subprocess.TimeoutExpired:
             verdict, said = "crashed", "no end"
         counts[verdict] += 1
+        print(f"{number} {verdict} {said}", flush=True)
         if verdict != "in order":
-            print(f"{number} {verdict}: {said}\n   " + " ".join(f'--set "{entry}"' for entry in given), flush=True)
+            print("   " + " ".join(f'--set "{entry}"' for entry in given), flush=True)
     print(f"seed {arguments.seed}, {arguments.weaves} weaves in {time.time() - start:.0f} s: "
           + ", ".join(f"{count} {verdict}" for verdict, count in counts.items()))
     return counts["wrong"] + counts["crashed"] > 0
