@@ -182,7 +182,8 @@ def overlap(run):
             apart = [(row["probe_1_at_0.5_z[mm]"] - row["probe_0_at_0.5_z[mm]"]) / .016 for row in result.rows]
             # Which one is above when axes coincide is open, but not that it stays there.
             apart = [a * math.copysign(1, apart[0]) if part == 1 else a for a in apart]
-            return result, [Check("distance of axes over D, farthest off", 1, max(apart, key=lambda a: abs(a - 1)), .02)]
+            farthest = max(apart, key=lambda a: abs(a - 1))
+            return result, [Check("distance of axes over D, farthest off", 1, farthest, .02)]
         yield f"{part:g}", judge
     for part in (.5, 1):
         def judge(part=part):
@@ -214,7 +215,8 @@ def exact_place(run):
                         Bound("rejected increments", cuts, most=0)]
 
     upper = 1.5**3 / (48 * 30000)
-    for name, place in (("within an element", .0625), ("at a node", 0), ("at a middle node", .125), ("at a fiber's end", 1)):
+    for name, place in (("within an element", .0625), ("at a node", 0), ("at a middle node", .125),
+                        ("at a fiber's end", 1)):
         line = f"{place - 1} 0 0, {place + 1} 0 0; 0 -0.75 0.02, 0 0.75 0.02"
         compliance = upper + (1 - place**2) ** 2 / (6 * 70000)
         yield name, lambda line=line, compliance=compliance: judge([f"Fibers/Polylines={line}"], compliance)
@@ -229,7 +231,8 @@ def increments(run):
     contact tolerance, so that paths are compared and not what it leaves."""
     def judge(mu, allowed):
         ends = [run(f"Load/Largest step={step}", "Load/First step=1", f"Contact/Friction coefficient={mu}",
-                    "Drive upper/Translation=0.02*t; 0; -0.06*t", "Solver/Contact tolerance=1e-5", scene="k1_crossed") for step in (1, .01)]
+                    "Drive upper/Translation=0.02*t; 0; -0.06*t", "Solver/Contact tolerance=1e-5", scene="k1_crossed")
+                for step in (1, .01)]
         one, many = (end.last for end in ends)
         return ends[0], [Check(f"{name} [N] in one against 100 increments", many[key], one[key], allowed)
                          for name, key in (("press", "upper_force_z[N]"), ("drag", "upper_force_x[N]"))]
