@@ -163,9 +163,12 @@ namespace fiberloom
           throw StageFailure(
             "stage " + name + " stops at load " +
             (boost::format("%.4f") % state.load).str() +
-            ": the increment failed after " + std::to_string(cuts) +
-            " cuts; a larger \"Largest penetration\" or more elements per "
-            "fiber may help");
+            ": the increment failed after " + std::to_string(cuts) + " cuts" +
+            (equilibrium.contacts().empty() ?
+               ", without contact; a larger \"Newton tolerance\" or a shorter "
+               "\"Largest step\" may help" :
+               "; a larger \"Largest penetration\" or more elements per "
+               "fiber may help"));
         state.step /= 2;
         log.write((boost::format("  %-8s increment to load %.4f failed, cut "
                                  "to %.2e") %

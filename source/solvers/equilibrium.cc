@@ -531,7 +531,9 @@ namespace fiberloom
       return;
     system.motion().extrapolate(state, problem.targets, problem.load_step);
     generate(state, problem);
-    if (is_lost())
+    // Thrown apart, fibers that are held in each other would come back
+    // unseen, on any side.
+    if (is_lost() || contact_elements.empty())
       begin(state, problem);
   }
 
@@ -657,7 +659,12 @@ namespace fiberloom
         if (!settled)
           return Outcome::slow;
         if (contact_elements.empty())
-          return Outcome::converged;
+          {
+            // What moved without contact may have come to touch.
+            generate(state, problem);
+            if (contact_elements.empty())
+              return Outcome::converged;
+          }
         if (needs_stiffening())
           adapt_stiffness(state);
       }

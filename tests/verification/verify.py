@@ -104,6 +104,14 @@ def verify(arguments):
     return failed > 0
 
 
+class RunFailed(RuntimeError):
+    """A run that did not end with status 0."""
+
+    def __init__(self, words, done):
+        self.status, self.message = done.returncode, done.stderr.strip()
+        super().__init__(f"{' '.join(words)}: status {self.status}: {self.message[-300:]}")
+
+
 class Runner:
     def __init__(self, name, arguments):
         self.name = name
@@ -115,7 +123,8 @@ class Runner:
         scene = scene or self.name
         key = (scene, settings, restart)
         if key not in self.results:
-            directory = os.path.join(self.arguments.work, f"{scene}_{len(self.results)}_{self.arguments.ranks}")
+            directory = os.path.join(self.arguments.work,
+                                     f"{os.path.basename(scene)}_{len(self.results)}_{self.arguments.ranks}")
             shutil.rmtree(directory, ignore_errors=True)
             ranks = self.arguments.ranks
             words = ["mpirun", "-q", "-np", str(ranks), "--oversubscribe"] if ranks > 1 else []
@@ -128,7 +137,7 @@ class Runner:
             done = subprocess.run(words, capture_output=True, text=True, timeout=LIMIT)
             self.seconds += time.time() - start
             if done.returncode != 0:
-                raise RuntimeError(f"{' '.join(words)}: status {done.returncode}: {done.stderr.strip()[-300:]}")
+                raise RunFailed(words, done)
             self.results[key] = Result(directory, cpu_of_children() - cpu_start)
         return self.results[key]
 

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+
+"""Turns one knob after the other to its extremes.
+
+    extremes.py PROGRAM [--work DIRECTORY] [--write FILE] [--quick] [ROW ...]
+    extremes.py PROGRAM --weaves N [--seed N] [--work DIRECTORY]
+
+Rows are in rows.py, on scenes of prm/verification. A run has survived if it ends with status 0
+and its numbers are within their tolerance; failed if it refuses or gives up (status 1 or 2)
+with one line that names a setting; is wrong if a number is off; crashed otherwise.
+
+Prints a table: row, value, quantity, verdict, Newton iterations, error, tolerance, CPU seconds,
+and what those that failed said. Ends with status 1 if something is wrong or crashed. --write
+puts both into a document behind the line that says it is generated, after each row. --weaves
+runs random_weaves.py instead.
+"""
+
+import argparse
+import os
+import re
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [HERE, os.path.join(HERE, "..", "verification")]
+
+import random_weaves
+import rows
+from verify import RunFailed, Runner
+
+HEADER = ["row", "value", "quantity", "verdict", "Newton iterations", "error", "tolerance", "CPU s"]
+MARK = "<!-- generated from here on by ./loom extremes -->"
+UNUSABLE = ("wrong", "crashed")
+
+
+def entries(program):
+    """Names of all entries of a scene."""
+    text = subprocess.run([program, "--print-parameters"], capture_output=True, text=True, check=True).stdout
+    return set(re.findall(r"^\s*set (.+?)\s*=", text, re.MULTILINE))
+
+
+def verdict_of(failure, names):
+    """Of a run that did not end with status 0: it has to say what would help."""
+    helps = any(name in failure.message for name in names)
+    one_line = failure.message.startswith("fiberloom: ") and "\n" not in failure.message
+    return "failed" if failure.status in (1, 2) and one_line and helps else "crashed"
+
+
+def sweep(arguments):
+    names = entries(arguments.program)
+    table, messages = [], []
+    for row in arguments.rows or (rows.QUICK if arguments.quick else rows.ROWS):
+        runner = Runner(row, arguments)
+        for value, judge in rows.ROWS[row](runner):
+            lines = []
+            try:
+                result, checks = judge()
+                cost = [f"{result.newton_iterations}", f"{result.cpu_seconds:.1f}"] if result else ["", ""]
+                for check in checks:
+                    number = check.shown_error() or f"{check.computed:.4g}"
+                    lines.append([row, value, check.quantity, "survived" if check.good() else "wrong", cost[0], number,
+                                  check.shown_tolerance(), cost[1]])
+            except RunFailed as failure:
+                lines.append([row, value, "", verdict_of(failure, names), "", "", "", ""])
+                messages.append(f"{row}, {value}: status {failure.status}: {failure.message}")
+            except subprocess.TimeoutExpired:
+                lines.append([row, value, "no end", "crashed", "", "", "", ""])
+            for line in lines:
+                print(" | ".join(line), flush=True)
+            table += lines
+        if arguments.write:  # after each row, so that a sweep can be cut off
+            write(arguments.write, table, messages)
+    print(*messages, sep="\n")
+    counts = {verdict: sum(line[3] == verdict for line in table) for verdict in ("survived", "failed") + UNUSABLE}
+    print(", ".join(f"{count} {verdict}" for verdict, count in counts.items()))
+    return any(counts[verdict] for verdict in UNUSABLE)
+
+
+def write(file, table, messages):
+    with open(file) as document:
+        text = document.read()
+    if MARK not in text:
+        sys.exit(f"{file} has no line {MARK}")
+    lines = "\n".join("| " + " | ".join(line) + " |" for line in [HEADER, ["---"] * len(HEADER)] + table)
+    about = "\n".join(f"- **{row}**: {' '.join(rows.ROWS[row].__doc__.split())}"
+                      for row in dict.fromkeys(line[0] for line in table))
+    said = "".join(f"- {message}\n" for message in messages) or "None failed.\n"
+    with open(file + ".new", "w") as document:
+        document.write(f"{text.split(MARK)[0]}{MARK}\n\n{about}\n\n{lines}\n\n## What those that failed said\n\n{said}")
+    os.replace(file + ".new", file)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("rows", nargs="*")
+    parser.add_argument("--work", default="extremes")
+    parser.add_argument("--write")
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--weaves", type=int)
+    parser.add_argument("--seed", type=int, default=1)
+    arguments = parser.parse_intermixed_args()
+    arguments.ranks = 1
+    os.makedirs(arguments.work, exist_ok=True)
+    sys.exit(sweep(arguments) if arguments.weaves is None else 
+             random_weaves.weave(arguments, entries(arguments.program), verdict_of))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+
+"""Weaves small random fabrics and counts wrong crossings and crashes.
+
+Fabric N of a seed is always the same, whatever the number of fabrics, so that one that
+is wrong can be woven again from what is printed.
+"""
+
+import random
+import time
+
+from verify import RunFailed, Runner, subprocess
+
+SCENE = "../../tests/scenes/small_weave"
+
+
+def settings(seed, number):
+    """Pattern, tows, fibers, radii and spacings; spacings from nearly touching tows to loose ones."""
+    draw = random.Random(f"{seed}/{number}")
+    tows = {family: draw.randint(2, 4) for family in ("Warp", "Fill")}
+    rows = ["".join(draw.choice("01") for _ in range(tows["Warp"])) for _ in range(tows["Fill"])]
+    found = ["Stages=weave, relax", "Fabric/Pattern=" + " ".join(rows), "Fabric/Fill/Same as warp=false",
+             "Accuracy=draft"]
+    for family, n in tows.items():
+        fibers = draw.choice((1, 2, 3, 4, 5, 7))
+        radius = round(draw.uniform(.004, .012), 5)
+        # As wide as all fibers side by side, at least ten radii: fibers have to get around others.
+        width = max(2.06 * fibers, 10)
+        spacing = round(radius * width * draw.uniform(1.5, 4), 5)
+        found += [f"Fabric/{family}/{name}={value}" for name, value in
+                  (("Tows", n), ("Fibers per tow", fibers), ("Fiber radius", radius), ("Tow spacing", spacing),
+                   ("Elements per fiber", 0))]
+    return found
+
+
+def weave(arguments, names, verdict_of):
+    counts = dict.fromkeys(("in order", "failed", "wrong", "crashed"), 0)
+    start = time.time()
+    for number in range(arguments.weaves):
+        given, said = settings(arguments.seed, number), ""
+        try:
+            result = Runner("weaves", arguments)(*given, scene=SCENE)
+            wrong = max(stage["crossings_out_of_order"] for stage in result.summary["stages"])
+            verdict = "wrong" if wrong else "in order"
+        except RunFailed as failure:
+            verdict, said = verdict_of(failure, names), f"status {failure.status}: {failure.message}"
+        except subprocess.TimeoutExpired:
+            verdict, said = "crashed", "no end"
+        counts[verdict] += 1
+        print(f"{number} {verdict} {said}", flush=True)
+        if verdict != "in order":
+            print("   " + " ".join(f'--set "{entry}"' for entry in given), flush=True)
+    print(f"seed {arguments.seed}, {arguments.weaves} weaves in {time.time() - start:.0f} s: "
+          + ", ".join(f"{count} {verdict}" for verdict, count in counts.items()))
+    return counts["wrong"] + counts["crashed"] > 0
