@@ -3,14 +3,14 @@
 
 """Damaged scenes: each is accepted, or refused in one line with nothing written.
 
-    fuzz.py FORK_SERVER SOURCE_DIRECTORY [--files N] [--seed S] [--only I]
+    fuzz.py FORK_SERVER SOURCE_DIRECTORY [--files N] [--seed S] [--first I]
 
 Takes all scenes of the source directory, changes each copy in a few places, and
 lets the program check it within limits of time and memory. Every tenth, if it is
 refused, goes through the program a second time without --check. Allowed are
 status 0, and status 1 with one line on stderr, both without a trace in the working
 directory. Everything else is a finding: its file is kept in `findings/` and
-named. File number i of a seed is always the same, `--only I` makes it again.
+named. File number I of a seed is always the same: `--first I --files 1` makes it again.
 """
 
 import argparse
@@ -216,7 +216,7 @@ def main():
     parser.add_argument("source", type=pathlib.Path)
     parser.add_argument("--files", type=int, default=10000)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--only", type=int)
+    parser.add_argument("--first", type=int, default=0)
     options = parser.parse_args()
 
     # One rank that knows of no others starts no daemon.
@@ -239,9 +239,8 @@ def main():
         sys.exit(f"--print-parameters: {wrong or 'too few entries'}")
     outcomes = collections.Counter()
     n_findings, start = 0, time.time()
-    numbers = range(options.files) if options.only is None else [options.only]
     donors = [entries_of(text) for text in texts]
-    for number in numbers:
+    for number in range(options.first, options.first + options.files):
         rng = random.Random(f"{options.seed} {number}")
         lines = rng.choices(texts, weights)[0].split(b"\n")
         file.write_bytes(b"\n".join(Mutator(rng, entries, donors).mutate(lines)))
@@ -258,10 +257,8 @@ def main():
             print(f"{kept}: {wrong}", flush=True)
         if (number + 1) % 1000 == 0:
             print(f"{number + 1} files, {n_findings} findings, {time.time() - start:.0f} s", flush=True)
-    print(f"{len(numbers)} files of seed {options.seed}: {outcomes['exit 0']} accepted, {outcomes['exit 1']} refused, "
+    print(f"{options.files} files of seed {options.seed}: {outcomes['exit 0']} accepted, {outcomes['exit 1']} refused, "
           f"{n_findings} findings")
-    if options.only is None:
-        shutil.rmtree(work)
     sys.exit(n_findings > 0)
 
 
