@@ -96,6 +96,15 @@ check_files()
      {"set Accuracy = coarse\n", {"line 1", "Accuracy = coarse", "draft"}},
      {"set Maximal wall time = -1\n", {"line 1", "Maximal wall time", "0"}},
      {warp + "set Tows = four" + ends, {"line 3", "Warp/Tows = four", "whole"}},
+     {warp + "set Tows = 1000\nset Fibers per tow = 10000" + ends,
+      {"line 3: Fabric/Warp/Tows", "nodes", "at most 2000000"}},
+     {fill + "set Overhang = 1e9" + ends,
+      {"line 3: Fabric/Fill/Overhang", "10000 elements"}},
+     {matrix + "set Cells along x = 1000\nset Cells along y = 1000\nend\n",
+      {"line 3: Matrix/Cells along x", "at most 2000000"}},
+     {fibers + "set Curves = s; i; 0\nset Fibers per curve = 10000\n"
+                "set Elements per fiber = 1000\nend\n",
+      {"line 9: Fibers/Elements per fiber", "more than 2000000 nodes"}},
      {warp + "set Tows = 0" + ends, {"line 3", "Fabric/Warp/Tows", "from 1"}},
      {warp + "set Tows = 2.5" + ends, {"line 3", "Fabric/Warp/Tows", "whole"}},
      {warp + "set Tows = 99999999999" + ends, {"line 3", "to 1000"}},
@@ -301,6 +310,40 @@ check_files()
   return cases.size();
 }
 
+/** Lines as long as no user writes them, and one line in answer. */
+unsigned int
+check_long_lines()
+{
+  const std::string                                many(200000, '1');
+  const std::vector<std::pair<std::string, Words>> cases = {
+    {"#" + many + "\nset Accurracy = fine\n", {"line 2", "Accuracy meant"}},
+    {"set Accuracy = " + many + "\n", {"line 1", " ... ", "draft"}},
+    {"set " + many + " = 1\n", {"line 1", " ... ", "--print-parameters"}},
+    {"subsection " + many + "\nend\n", {"line 1", "section", "Fabric"}},
+    {many, {"line 1", "set ENTRY = VALUE"}},
+    {"set Drives = a" + many, {"Drive a1", "Ends"}},
+    {"set Stages = load\nset Drives = d\nsubsection Fibers\nset Polylines = "
+     "0 0 0, 1 0 0\nend\nsubsection Drive d\nset Ends = " +
+       many + " start\nend\n",
+     {"line 7: Drive d/Ends", "allowed"}}};
+  for (const auto &[text, expected] : cases)
+    {
+      std::ofstream("bad.prm") << text;
+      const auto read = [] {
+        try
+          {
+            read_all("bad.prm", {});
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(one_line(error));
+          }
+      };
+      expect_error("long line, " + text.substr(0, 20), read, expected);
+    }
+  return cases.size();
+}
+
 /** Files of fibers, each named by a scene in the same directory. */
 unsigned int
 check_fiber_files()
@@ -434,6 +477,7 @@ main()
 {
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   unsigned int n_cases = check_files();
+  n_cases += check_long_lines();
   n_cases += check_fiber_files();
   n_cases += check_overrides();
   n_cases += check_missing_files();

@@ -9,6 +9,11 @@
 
 namespace fiberloom
 {
+  namespace
+  {
+    constexpr std::size_t longest_end = 500; // of a message, in characters
+  }
+
   std::string
   one_line(const std::exception &exception)
   {
@@ -22,6 +27,10 @@ namespace fiberloom
     std::string line, word;
     while (text >> word)
       line += (line.empty() ? "" : " ") + word;
+    // a value may be as long as a file, but place and reason stand at the ends
+    if (line.size() > 2 * longest_end)
+      line = line.substr(0, longest_end) + " ... " +
+             line.substr(line.size() - longest_end);
     return line;
   }
 } // namespace fiberloom

@@ -261,9 +261,12 @@ namespace fiberloom
     std::size_t       least = 1 + path.size() / 3;
     for (const Entry &entry : all_entries)
       {
+        const std::string known = entry.path();
         // the right name in the wrong section is near, too
-        const std::size_t distance = std::min(edit_distance(entry.path(), path),
-                                              entry.name == name ? 1 : least);
+        std::size_t distance = entry.name == name ? 1 : least;
+        // what is much longer is not near, and would take long to compare
+        if (path.size() < 2 * known.size())
+          distance = std::min(distance, edit_distance(known, path));
         if (distance < least)
           {
             least   = distance;

@@ -8,6 +8,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <boost/format.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,7 +36,7 @@ namespace fiberloom
         crossing.tows - 1 + 2 * tows.overhang / crossing.tow_spacing;
       if (tows.elements_per_fiber == 0)
         tows.elements_per_fiber =
-          std::max(4l, std::lround(elements_per_crossing * crossings));
+          std::lround(std::clamp(elements_per_crossing * crossings, 4., 1e9));
     }
 
     template <class T>
@@ -64,6 +66,55 @@ namespace fiberloom
         throw InputError(where + ": the layers hold " + std::to_string(sum) +
                          " fibers; allowed: as many as Fibers per tow, " +
                          std::to_string(tows.fibers));
+    }
+
+    void
+    check_number_of_nodes(const double nodes, const std::string &where)
+    {
+      if (nodes > Parameters::most_nodes)
+        throw InputError(
+          where + ": the model would have " +
+          (boost::format("%.3g") % nodes).str() + " nodes; allowed: at most " +
+          std::to_string(Parameters::most_nodes) + ", by smaller numbers");
+    }
+
+    /** Before anything of this size is built. */
+    void
+    check_size(const Parameters &parameters)
+    {
+      double nodes = 0;
+      for (const bool is_warp : {true, false})
+        if (const TowParameters &tows =
+              is_warp ? parameters.fabric.warp : parameters.fabric.fill;
+            parameters.is_fabric())
+          {
+            const std::string section =
+              is_warp ? "Fabric/Warp/" : "Fabric/Fill/";
+            if (tows.elements_per_fiber > TowParameters::most_elements)
+              throw InputError(
+                parameters.where(section + "Overhang") + " = " +
+                exact_text(tows.overhang) +
+                ": fibers this long need more than " +
+                std::to_string(TowParameters::most_elements) +
+                " elements; allowed: a smaller overhang, or Elements per "
+                "fiber");
+            nodes += double(tows.tows) * tows.fibers *
+                     (2 * tows.elements_per_fiber + 1);
+            check_number_of_nodes(nodes,
+                                  parameters.where(section + "Tows") +
+                                    ", Fibers per tow and Elements per fiber");
+          }
+      if (parameters.has_matrix())
+        {
+          const MatrixParameters &matrix = parameters.matrix;
+          const double            degree = matrix.degree;
+          check_number_of_nodes((matrix.layers == "both" ? 2 : 1) *
+                                  (degree * matrix.cells_along_x + 1) *
+                                  (degree * matrix.cells_along_y + 1) *
+                                  (degree * matrix.cells_through_thickness + 1),
+                                parameters.where("Matrix/Cells along x") +
+                                  ", along y and through thickness");
+        }
     }
 
     using Components = std::array<bool, 3>;
@@ -374,6 +425,7 @@ namespace fiberloom
       check_drive(drive, *this);
     check_distributed_loads(*this);
     check_matrix_parameters(*this);
+    check_size(*this);
 
     check_layers(fabric.warp, where("Fabric/Warp/Layers"));
     check_layers(fabric.fill, where("Fabric/Fill/Layers"));

@@ -10,7 +10,8 @@ namespace fiberloom
   namespace
   {
     // bounds that keep a slip of the finger from filling the memory
-    constexpr int most_tows = 1000, most_fibers = 10000, most_elements = 10000,
+    constexpr int most_tows = 1000, most_fibers = 10000,
+                  most_elements   = TowParameters::most_elements,
                   most_iterations = 100000;
 
     void

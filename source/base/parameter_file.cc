@@ -4,12 +4,16 @@
 #include <fiberloom/base/exceptions.h>
 #include <fiberloom/base/parameter_file.h>
 
+#include <deal.II/base/utilities.h>
+
+#include <boost/algorithm/string.hpp>
+
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
 
 namespace fiberloom
@@ -31,11 +35,33 @@ namespace fiberloom
 
     /** Without comment, with single blanks, as the parser sees the line. */
     std::string
-    normalize(std::string line)
+    normalize(const std::string &line)
     {
-      line = std::regex_replace(line, std::regex("(^|[^\\\\])#.*"), "$1");
-      line = std::regex_replace(line, std::regex("\\s+"), " ");
-      return std::regex_replace(line, std::regex("^ | $"), "");
+      std::size_t comment = line.find('#');
+      while (comment != std::string::npos && comment > 0 &&
+             line[comment - 1] == '\\')
+        comment = line.find('#', comment + 1);
+      std::istringstream in(line.substr(0, comment));
+      std::string        normalized;
+      for (std::string word; in >> word;)
+        normalized += (normalized.empty() ? "" : " ") + word;
+      return normalized;
+    }
+
+    /** Takes @p keyword and a blank off the front of a line. No regular
+     * expression: those of the standard library exhaust the stack on long
+     * lines. */
+    bool
+    take_keyword(std::string &line, const std::string &keyword)
+    {
+      for (const std::string &word :
+           {keyword, boost::algorithm::to_upper_copy(keyword)})
+        if (boost::algorithm::starts_with(line, word + " "))
+          {
+            line.erase(0, word.size() + 1);
+            return true;
+          }
+      return false;
     }
 
     std::string
@@ -95,21 +121,19 @@ namespace fiberloom
                                 Statement                 statement,
                                 std::vector<std::string> &open_sections)
   {
-    static const std::regex set("(?:set|SET) ([^=]*?) ?= ?(.*)");
-    static const std::regex subsection("(?:subsection|SUBSECTION) (.*)");
-    static const std::regex include("(?:include|INCLUDE) .*");
-    std::smatch             match;
-
-    if (std::regex_match(line, match, set))
+    const bool has_sign = line.find('=') != std::string::npos;
+    if (has_sign && take_keyword(line, "set"))
       {
         const std::string section = path_of(open_sections);
+        const std::size_t after   = line.find('=') + 1;
         statement.kind            = Kind::set;
-        statement.path  = (section.empty() ? "" : section + "/") + match.str(1);
-        statement.value = match.str(2);
+        statement.path            = (section.empty() ? "" : section + "/") +
+                         dealii::Utilities::trim(line.substr(0, after - 1));
+        statement.value = dealii::Utilities::trim(line.substr(after));
       }
-    else if (std::regex_match(line, match, subsection))
+    else if (take_keyword(line, "subsection"))
       {
-        open_sections.push_back(match.str(1));
+        open_sections.push_back(line);
         statement.kind = Kind::subsection;
         statement.path = path_of(open_sections);
       }
@@ -121,7 +145,7 @@ namespace fiberloom
         open_sections.pop_back();
         statement.kind = Kind::end;
       }
-    else if (std::regex_match(line, include))
+    else if (take_keyword(line, "include"))
       throw InputError(location(statement.first_line) +
                        ": 'include' is not supported; allowed: set, "
                        "subsection, end");
@@ -177,12 +201,14 @@ namespace fiberloom
   {
     // the parser gives line and reason only as a sentence
     const std::string sentence = one_line(error);
-    std::smatch       match;
-    if (!std::regex_search(sentence, match, std::regex("Line <(\\d+)>")))
-      return name + ": " + sentence;
-
-    const unsigned int line = std::stoul(match.str(1));
-    const auto         statement =
+    const std::string before   = "Line <";
+    const std::size_t place    = sentence.find(before);
+    unsigned int      line     = 0;
+    if (place != std::string::npos)
+      std::from_chars(sentence.data() + place + before.size(),
+                      sentence.data() + sentence.size(),
+                      line);
+    const auto statement =
       std::find_if(statements.begin(),
                    statements.end(),
                    [line](const Statement &s) {

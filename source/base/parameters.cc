@@ -8,6 +8,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <cctype>
 #include <ostream>
 #include <regex>
 #include <set>
@@ -60,7 +62,12 @@ namespace fiberloom
       std::set<std::string> names;
       for (const DriveParameters &drive : drives)
         {
-          if (!std::regex_match(drive.name, std::regex("[A-Za-z0-9_ -]+")))
+          const auto is_allowed = [](const char c) {
+            return std::isalnum(static_cast<unsigned char>(c)) || c == '_' ||
+                   c == ' ' || c == '-';
+          };
+          if (drive.name.empty() ||
+              !std::all_of(drive.name.begin(), drive.name.end(), is_allowed))
             throw InputError(where + ": \"" + drive.name +
                              "\" is no name; allowed: letters, digits, blanks, "
                              "_ and -");

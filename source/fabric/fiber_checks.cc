@@ -73,19 +73,52 @@ namespace fiberloom
       return std::sqrt(least);
     }
 
+    /**
+     * Whether nodes, visited in their order, are closer than @p limit to a
+     * line. Distances fall no faster than one goes: nodes that cannot be near
+     * are not compared with all pieces of the line.
+     */
+    class Nearness
+    {
+    public:
+      Nearness(const std::vector<Vector3> &nodes,
+               const std::vector<Vector3> &line,
+               const double                limit)
+        : nodes(nodes)
+        , line(line)
+        , limit(limit)
+      {}
+
+      bool
+      at(const std::size_t n)
+      {
+        if (n > 0)
+          least -= (nodes[n] - nodes[n - 1]).norm();
+        if (least <= limit)
+          least = distance_to(line, nodes[n]);
+        return least < limit;
+      }
+
+    private:
+      const std::vector<Vector3> &nodes, &line;
+      const double                limit;
+      double                      least = 0; // of the distance
+    };
+
     bool
     lie_in_each_other(const Fiber &first, const Fiber &second)
     {
       const double radius = std::min(first.radius, second.radius);
       const auto  &nodes  = initial_centers(first),
                  &line    = initial_centers(second);
-      double shared       = 0;
-      bool   inside       = distance_to(line, nodes[0]) < .1 * radius;
-      bool   all          = inside;
+      Nearness nearness(nodes, line, .1 * radius);
+      double   shared = 0;
+      bool     inside = nearness.at(0);
+      bool     all    = inside;
       for (std::size_t n = 1; n < nodes.size(); ++n)
         {
           const bool before = inside;
-          inside            = distance_to(line, nodes[n]) < .1 * radius;
+          inside            = nearness.at(n);
           all               = all && inside;
           shared =
             before && inside ? shared + (nodes[n] - nodes[n - 1]).norm() : 0;

@@ -39,6 +39,9 @@ namespace fiberloom
 
   namespace
   {
+    // Regular expressions of the standard library exhaust the stack on more.
+    constexpr std::size_t longest_item = 1000;
+
     /** The numbers of "2" or "3-5", which must be below @p n . */
     std::vector<unsigned int>
     read_range(const std::string &text,
@@ -103,7 +106,8 @@ namespace fiberloom
       static const std::regex form(
         "(warp|fill)?\\s*(all|\\d{1,9}(-\\d{1,9})?)?");
       std::smatch match;
-      if (which.empty() || !std::regex_match(which, match, form))
+      if (which.empty() || which.size() > longest_item ||
+          !std::regex_match(which, match, form))
         throw InputError("\"" + item + "\" names nothing; allowed: " + allowed);
       if (match[1].matched)
         return fibers_of_family(match[1], match[2], set, item);
@@ -181,7 +185,7 @@ namespace fiberloom
          dealii::Utilities::split_string_list(list, ','))
       {
         std::smatch match;
-        if (!std::regex_match(item, match, form))
+        if (item.size() > longest_item || !std::regex_match(item, match, form))
           throw InputError(
             "\"" + item +
             "\" is no point of a fiber; allowed: " + points_allowed);

@@ -192,6 +192,16 @@ namespace fiberloom
         return values[values.size() == 1 ? 0 : group];
       }
 
+      void
+      check_size(const double n_fibers) const
+      {
+        if (n_fibers * n_nodes > Parameters::most_nodes)
+          throw InputError(parameters.where("Fibers/Elements per fiber") +
+                           ": the model would have more than " +
+                           std::to_string(Parameters::most_nodes) +
+                           " nodes; allowed: fewer elements or fibers");
+      }
+
       /** A fiber without its nodes. */
       Fiber
       member_of(const unsigned int group, const unsigned int n_groups) const
@@ -247,6 +257,7 @@ namespace fiberloom
       {
         const std::vector<std::string> lines =
           dealii::Utilities::split_string_list(fibers.polylines, ';');
+        check_size(lines.size());
         for (unsigned int l = 0; l < lines.size(); ++l)
           {
             const Fiber fiber = member_of(l, lines.size());
@@ -263,6 +274,7 @@ namespace fiberloom
       {
         std::vector<FiberPoints> read;
         explained(source, [&] { read = read_fiber_file(fibers.file); });
+        check_size(read.size());
         for (std::size_t f = 0; f < read.size(); ++f)
           {
             const auto &values  = read[f].values;
@@ -291,9 +303,10 @@ namespace fiberloom
                            std::to_string(curves.size()));
         for (unsigned int c = 0; c < curves.size(); ++c)
           {
-            const Fiber fiber = member_of(c, curves.size());
-            for (unsigned int i = 0; i < numbers[numbers.size() == 1 ? 0 : c];
-                 ++i)
+            const Fiber        fiber = member_of(c, curves.size());
+            const unsigned int n     = numbers[numbers.size() == 1 ? 0 : c];
+            check_size(set.fibers.size() + n);
+            for (unsigned int i = 0; i < n; ++i)
               explained(source + ": curve number " + std::to_string(c) +
                           ", i = " + std::to_string(i),
                         [&] { add(fiber, curve_line(curves[c], i)); });
@@ -320,6 +333,7 @@ namespace fiberloom
         std::vector<std::array<double, 2>> centers;
         explained(parameters.where("Fibers/Bundle/Fibers"),
                   [&] { centers = hexagon(bundle.fibers); });
+        check_size(centers.size());
         for (const auto &center : centers)
           {
             const double distance = bundle.spacing * fiber.radius;
@@ -339,6 +353,7 @@ namespace fiberloom
         const Fiber             core = member_of(0, 2), outer = member_of(1, 2);
         const double            radius = core.radius + outer.radius;
         check_strand(core.radius, outer.radius);
+        check_size(strand.outer_fibers + 1);
 
         const double turns =
           strand.lay_length != 0 ?

@@ -21,6 +21,8 @@ namespace fiberloom
    */
   struct TowParameters
   {
+    static constexpr unsigned int most_elements = 10000; // per fiber
+
     bool                      same_as_warp = false;
     unsigned int              tows         = 4;
     unsigned int              fibers       = 7;
@@ -243,6 +245,9 @@ namespace fiberloom
    */
   struct Parameters
   {
+    // Some 300 GiB; a slip of the finger is refused before memory is asked for.
+    static constexpr unsigned int most_nodes = 2000000;
+
     std::string              output_directory = "output";
     std::vector<std::string> stages           = {"weave", "relax", "biaxial"};
     std::string              accuracy = "standard"; // draft | standard | fine
