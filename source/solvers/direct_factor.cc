@@ -221,13 +221,13 @@ namespace fiberloom
       if (analysed == matrix.pattern_version() && &matrix == analysed_matrix)
         return;
       set_pattern(matrix);
-      if (has_ordering && &matrix == analysed_matrix)
+      has_ordering = has_ordering && &matrix == analysed_matrix;
+      if (has_ordering)
         {
           analyse_ordered();
-          if (data.rinfog[0] > largest_growth * operations)
-            has_ordering = false;
+          has_ordering = data.rinfog[0] <= largest_growth * operations;
         }
-      if (!has_ordering || &matrix != analysed_matrix)
+      if (!has_ordering)
         {
           positions = pivot_positions(matrix, part);
           analyse_ordered();

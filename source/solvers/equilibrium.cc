@@ -58,29 +58,12 @@ namespace fiberloom
     // the increment, or of the radius, in one step.
     constexpr double part_of_ends = .15, least_limit = .1;
 
-    // Fibers that go further in a step, over the radius, than other fibers may
-    // be away get more damping, each for itself.
-    constexpr double far_move = .1, largest_line_damping = 64;
-
     // Of contacts that are about to close, over the largest contact force.
     constexpr double approach_force = .01, approach_over_tolerance = .3;
-
-    // Newton steps cut below the first part of their length ask for more
-    // damping, beyond the second one for less.
-    constexpr double short_step = .3, long_step = .7;
-    constexpr double damping_growth = 4, damping_decay = .5;
 
     // What a damped step of a pull may still change of the forces, over the
     // largest one: soft fibers give up theirs long after residuals are small.
     constexpr double largest_drift = .005, drift_over_tolerance = .5;
-
-    // Frozen normals, behind the tangent, can make steps swing to and fro:
-    // those that go back by more than this part of the last one are shortened.
-    constexpr double overshoot = .5;
-
-    // Damping that only makes soft fibers creep decays down to this part of the
-    // least, until a residual grows by the second factor: fibers were thrown.
-    constexpr double quiet_part = 1e-3, thrown = 2;
 
     // A machine with other work on it is not always as fast.
     constexpr unsigned int yardstick_every = 10;
@@ -105,18 +88,6 @@ namespace fiberloom
       return false;
     }
 
-    // Forces are nearly in balance, but damping makes soft fibers creep.
-    bool
-    creeps(const std::vector<double> &residuals)
-    {
-      constexpr unsigned int window = 4;
-      const unsigned int     n      = residuals.size();
-      return n > window &&
-             *std::max_element(residuals.end() - window - 1, residuals.end()) <
-               .1 &&
-             residuals[n - 1] > .8 * residuals[n - 1 - window];
-    }
-
     double
     smaller_radius(const ContactElement &contact)
     {
@@ -139,6 +110,7 @@ namespace fiberloom
     , linear_solver(system, parameters.solver.linear_solver)
     , statistics(statistics)
     , watch(std::move(watch))
+    , damping(mesh)
     , prescribed_limit(parameters.solver.largest_move)
   {}
 
@@ -311,22 +283,23 @@ namespace fiberloom
     const double residual = system.residual_norm() / scale;
     const bool   moves    = system.motion().moves(state, problem.targets);
     last_residual         = residual;
-    watch({residual, damping, last_factor});
+    watch({residual, damping.over_Er(), last_factor});
     const double allowed = std::max(tolerance, system.rounding_force() / scale);
-    const double drift   = reaction_drift();
-    if (!moves && residual < allowed &&
-        (!pulls ||
-         drift < std::min(largest_drift, drift_over_tolerance * tolerance)))
+    const bool   at_rest =
+      !pulls || reaction_drift() <
+                  std::min(largest_drift, drift_over_tolerance * tolerance);
+    if (!moves && residual < allowed && at_rest)
       return Step::converged;
     if (!(residual < diverged))
       return Step::failed;
     // Newton's method converges by exact steps, the damped loop does not; and
     // prescribed increments stand beside forces on the right hand side.
     const double linear_tolerance =
-      moves || damping == 0 ? tightest_linear :
-                              std::clamp(linear_reduction * allowed / residual,
-                                         tightest_linear,
-                                         loosest_linear);
+      moves || damping.over_Er() == 0 ?
+        tightest_linear :
+        std::clamp(linear_reduction * allowed / residual,
+                   tightest_linear,
+                   loosest_linear);
 
     // Without one, neither its curvature nor its decrease says anything.
     const bool            has_potential = system.has_potential(problem.targets);
@@ -334,15 +307,15 @@ namespace fiberloom
     LinearSolver::Outcome outcome;
     {
       ScopedTimer timer(statistics.seconds.linear_solver);
-      outcome = linear_solver.solve(system.matrix(),
-                                    system.right_hand_side(),
-                                    block_dampings(),
-                                    std::max(shift_over_Er,
-                                             shift_over_damping * damping) *
-                                      system.stiffness_scale(),
-                                    solution,
-                                    !has_potential,
-                                    linear_tolerance);
+      outcome = linear_solver.solve(
+        system.matrix(),
+        system.right_hand_side(),
+        damping.of_blocks(system.layout().n_blocks(), system.stiffness_scale()),
+        std::max(shift_over_Er, shift_over_damping * damping.over_Er()) *
+          system.stiffness_scale(),
+        solution,
+        !has_potential,
+        linear_tolerance);
     }
     if (parameters.solver.benchmark &&
         statistics.newton_iterations % yardstick_every == 0)
@@ -365,7 +338,7 @@ namespace fiberloom
     const double          move      = system.motion().largest_move(increment);
     if (!std::isfinite(move))
       return Step::failed;
-    double factor = longest_step * relaxation(increment);
+    double factor = longest_step * damping.relaxation(increment);
     if (const double limit = parameters.solver.largest_move;
         limit > 0 && !contact_elements.empty())
       {
@@ -386,9 +359,9 @@ namespace fiberloom
         factor             = found;
       }
     last_factor = factor;
-    last_step   = factor * increment;
+    damping.remember(factor * increment);
     if (pulls)
-      adapt_line_dampings(moves);
+      damping.follow_fibers(moves ? prescribed_limit : 0);
     system.motion().advance(state, increment, factor);
     return Step::moved;
   }
@@ -398,72 +371,16 @@ namespace fiberloom
   double
   Equilibrium::reaction_drift()
   {
-    double largest = 0, change = 0;
-    for (unsigned int b = 0; b < system.reactions().size(); ++b)
+    last_reactions.resize(system.reactions().size(), Vector3::Zero());
+    double largest = std::numeric_limits<double>::min(), change = 0;
+    for (unsigned int b = 0; b < last_reactions.size(); ++b)
       {
         const Vector3 force = system.reactions()[b].head<3>();
-        if (last_reactions.size() > b)
-          change = std::max(change, (force - last_reactions[b]).norm());
-        largest = std::max(largest, force.norm());
+        largest             = std::max(largest, force.norm());
+        change = std::max(change, (force - last_reactions[b]).norm());
+        last_reactions[b] = force;
       }
-    const bool first = last_reactions.empty();
-    last_reactions.resize(system.reactions().size());
-    for (unsigned int b = 0; b < last_reactions.size(); ++b)
-      last_reactions[b] = system.reactions()[b].head<3>();
-    return first && !last_reactions.empty() ?
-             1 :
-             change / std::max(largest, std::numeric_limits<double>::min());
-  }
-
-
-
-  std::vector<double>
-  Equilibrium::block_dampings() const
-  {
-    const double        usual = damping * system.stiffness_scale();
-    std::vector<double> dampings(system.layout().n_blocks(), usual);
-    for (unsigned int l = 0; l < line_dampings.size(); ++l)
-      {
-        const FiberMesh::Line &line = mesh.lines()[l];
-        std::fill_n(dampings.begin() + line.first_node,
-                    line.n_nodes(),
-                    usual * line_dampings[l]);
-      }
-    return dampings;
-  }
-
-
-
-  void
-  Equilibrium::adapt_line_dampings(const bool moves)
-  {
-    line_dampings.resize(mesh.lines().size(), 1.);
-    const double far = far_move + (moves ? .5 * prescribed_limit : 0);
-    for (unsigned int l = 0; l < line_dampings.size(); ++l)
-      {
-        const FiberMesh::Line &line = mesh.lines()[l];
-        double                 move = 0;
-        for (unsigned int n = line.first_node;
-             n < line.first_node + line.n_nodes();
-             ++n)
-          move = std::max(move, last_step.segment<3>(9 * n).norm());
-        if (move > far * line.radius)
-          line_dampings[l] =
-            std::min(line_dampings[l] * damping_growth, largest_line_damping);
-        else if (move < .5 * far * line.radius)
-          line_dampings[l] = std::max(line_dampings[l] * damping_decay, 1.);
-      }
-  }
-
-
-
-  double
-  Equilibrium::relaxation(const Eigen::VectorXd &increment) const
-  {
-    if (damping == 0 || last_step.size() != increment.size())
-      return 1;
-    const double back = -increment.dot(last_step) / last_step.squaredNorm();
-    return back > overshoot ? std::max(.5, 1 / (1 + back)) : 1;
+    return change / largest;
   }
 
 
@@ -617,9 +534,8 @@ namespace fiberloom
   Equilibrium::Outcome
   Equilibrium::solve_nested(State &state, const Problem &problem)
   {
-    damping = 0;
-    pulls   = false;
-    line_dampings.clear();
+    damping.reset(0);
+    pulls = false;
     for (unsigned int pass = 0; pass < parameters.solver.largest_contact_passes;
          ++pass)
       {
@@ -679,10 +595,8 @@ namespace fiberloom
                        const unsigned int n,
                        const double       damping_over_Er)
   {
-    damping = damping_over_Er;
-    pulls   = false;
-    line_dampings.clear();
-    last_step.resize(0);
+    damping.reset(damping_over_Er);
+    pulls = false;
     for (unsigned int i = 0; i < n; ++i)
       {
         generate(state, problem);
@@ -702,14 +616,11 @@ namespace fiberloom
                                  const unsigned int largest_iterations,
                                  const double       least_damping)
   {
-    damping = least_damping;
-    pulls   = follows(problem) &&
+    damping.reset(least_damping);
+    pulls = follows(problem) &&
             system.motion().moves(problem.before, problem.targets);
-    line_dampings.clear();
-    last_step.resize(0);
     last_reactions.clear();
     std::vector<double> residuals;
-    bool                quiet       = false;
     unsigned int        stiffenings = 0, since_stiffening = 0;
     const auto          stiffen = [&]() {
       adapt_stiffness(state);
@@ -723,13 +634,7 @@ namespace fiberloom
       {
         longest_step = goes_round(residuals) ? .5 : 1;
         generate(state, problem);
-        quiet = creeps(residuals) ||
-                (quiet && residuals.back() < thrown * residuals.end()[-2]);
-        if (quiet)
-          damping =
-            std::max(damping * damping_decay, quiet_part * least_damping);
-        else
-          damping = std::max(damping, least_damping);
+        damping.follow(residuals);
         const Step step = newton_step(state, problem, tolerance(), true);
         longest_step    = 1;
         residuals.push_back(last_residual);
@@ -743,10 +648,7 @@ namespace fiberloom
             case Step::failed:
               return false;
             case Step::moved:
-              if (last_cut < short_step)
-                damping *= damping_growth;
-              else if (last_cut > long_step && damping > least_damping)
-                damping = std::max(damping * damping_decay, least_damping);
+              damping.follow_cut(last_cut);
               // What has only been hit in passing needs no stiffness.
               if (last_residual < std::min(stiffening_from * tolerance(),
                                            loosest_stiffening) &&

@@ -20,11 +20,11 @@ namespace fiberloom
     constexpr int          krylov_space   = 60;
     constexpr unsigned int largest_cycles = 5;
     constexpr double       shift_growth   = 8;
+    constexpr unsigned int largest_shifts = 12;
 
     // Corrections that leave more than this part of the residual are those of
     // another matrix: Krylov's method needs fewer.
-    constexpr double       largest_contraction = .01;
-    constexpr unsigned int largest_shifts      = 12;
+    constexpr double largest_contraction = .01;
 
     // Beyond so many it may be rounding that makes pivots negative.
     constexpr unsigned int largest_single_shifts = 3;

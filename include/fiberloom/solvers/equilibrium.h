@@ -10,6 +10,7 @@
 
 #include <fiberloom/model/system.h>
 
+#include <fiberloom/solvers/damping.h>
 #include <fiberloom/solvers/linear_solver.h>
 
 #include <array>
@@ -148,18 +149,6 @@ namespace fiberloom
     double
     reaction_drift();
 
-    /** Of each block [N/mm]. */
-    std::vector<double>
-    block_dampings() const;
-
-    /** More for fibers that went far in the last step, less for others. */
-    void
-    adapt_line_dampings(const bool moves);
-
-    /** What is taken of a damped step that goes back on the one before. */
-    double
-    relaxation(const Eigen::VectorXd &increment) const;
-
     /** Whether a step has thrown fibers deep into each other. */
     bool
     is_lost() const;
@@ -217,14 +206,12 @@ namespace fiberloom
     StageStatistics            &statistics;
     Watch                       watch;
     std::vector<ContactElement> contact_elements;
-    double                      damping       = 0; // over E r
+    Damping                     damping;
     double                      last_factor   = 1; // of a Newton step
     double                      last_residual = 0; // before it
-    Eigen::VectorXd             last_step;
-    double                      longest_step = 1;
-    bool                        pulls        = false; // in the damped loop
+    double                      longest_step  = 1;
+    bool                        pulls         = false; // in the damped loop
     std::vector<Vector3>        last_reactions;
-    std::vector<double>         line_dampings; // over the damping; may be empty
 
     // Of steps that move bodies, over the radius.
     double prescribed_limit;

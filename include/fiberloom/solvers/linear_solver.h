@@ -55,9 +55,8 @@ namespace fiberloom
      * @p solution : the owned part, resized. @p damping , one value for each
      * block, is added to the diagonal of @p matrix in any case, @p shift_unit
      * is the smallest shift to be tried where that is indefinite [N/mm] unless
-     * it may be. The
-     * residual is reduced to @p tolerance times the right hand side. Throws
-     * StageFailure if no shift helps.
+     * it may be. The residual is reduced to @p tolerance times the right hand
+     * side. Throws StageFailure if no shift helps.
      */
     Outcome
     solve(BlockMatrix               &matrix,

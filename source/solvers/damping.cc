@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/solvers/damping.h>
+
+#include <algorithm>
+
+namespace fiberloom
+{
+  namespace
+  {
+    // Newton steps cut below the first part of their length ask for more
+    // damping, beyond the second one for less.
+    constexpr double short_step = .3, long_step = .7;
+    constexpr double growth = 4, decay = .5;
+
+    // Fibers that go further in a step, over the radius, than other fibers may
+    // be away get more, each for itself.
+    constexpr double far_move = .1, largest_of_line = 64;
+
+    // Frozen normals, behind the tangent, can make steps swing to and fro:
+    // those that go back by more than this part of the last one are shortened.
+    constexpr double overshoot = .5;
+
+    // Damping that only makes soft fibers creep decays down to this part of the
+    // least, until a residual grows by the second factor: fibers were thrown.
+    constexpr double quiet_part = 1e-3, thrown = 2;
+
+    // Forces are nearly in balance, but damping makes soft fibers creep.
+    bool
+    creeps(const std::vector<double> &residuals)
+    {
+      constexpr unsigned int window = 4;
+      const unsigned int     n      = residuals.size();
+      return n > window &&
+             *std::max_element(residuals.end() - window - 1, residuals.end()) <
+               .1 &&
+             residuals[n - 1] > .8 * residuals[n - 1 - window];
+    }
+  } // namespace
+
+
+
+  Damping::Damping(const FiberMesh &mesh)
+    : mesh(mesh)
+  {}
+
+
+
+  void
+  Damping::reset(const double least)
+  {
+    this->least = value = least;
+    quiet               = false;
+    of_lines.clear();
+    last_step.resize(0);
+  }
+
+
+
+  std::vector<double>
+  Damping::of_blocks(const unsigned int n_blocks, const double stiffness) const
+  {
+    const double        usual = value * stiffness;
+    std::vector<double> blocks(n_blocks, usual);
+    for (unsigned int l = 0; l < of_lines.size(); ++l)
+      {
+        const FiberMesh::Line &line = mesh.lines()[l];
+        std::fill_n(blocks.begin() + line.first_node,
+                    line.n_nodes(),
+                    usual * of_lines[l]);
+      }
+    return blocks;
+  }
+
+
+
+  double
+  Damping::relaxation(const Eigen::VectorXd &increment) const
+  {
+    if (value == 0 || last_step.size() != increment.size())
+      return 1;
+    const double back = -increment.dot(last_step) / last_step.squaredNorm();
+    return back > overshoot ? std::max(.5, 1 / (1 + back)) : 1;
+  }
+
+
+
+  void
+  Damping::follow(const std::vector<double> &residuals)
+  {
+    quiet = creeps(residuals) ||
+            (quiet && residuals.back() < thrown * residuals.end()[-2]);
+    value = quiet ? std::max(value * decay, quiet_part * least) :
+                    std::max(value, least);
+  }
+
+
+
+  void
+  Damping::follow_cut(const double cut)
+  {
+    if (cut < short_step)
+      value *= growth;
+    else if (cut > long_step && value > least)
+      value = std::max(value * decay, least);
+  }
+
+
+
+  void
+  Damping::remember(const Eigen::VectorXd &step)
+  {
+    last_step = step;
+  }
+
+
+
+  void
+  Damping::follow_fibers(const double ends)
+  {
+    of_lines.resize(mesh.lines().size(), 1.);
+    for (unsigned int l = 0; l < of_lines.size(); ++l)
+      {
+        const FiberMesh::Line &line = mesh.lines()[l];
+        double                 move = 0;
+        for (unsigned int n = line.first_node;
+             n < line.first_node + line.n_nodes();
+             ++n)
+          move = std::max(move, last_step.segment<3>(9 * n).norm());
+        const double far = (far_move + .5 * ends) * line.radius;
+        if (move > far)
+          of_lines[l] = std::min(of_lines[l] * growth, largest_of_line);
+        else if (move < .5 * far)
+          of_lines[l] = std::max(of_lines[l] * decay, 1.);
+      }
+  }
+} // namespace fiberloom
