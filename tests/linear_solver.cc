@@ -158,6 +158,45 @@ namespace
                  1e-14);
   }
 
+  /** Of contacts that close on the same pattern a factor has to learn: it
+   * leaves out those that are open. */
+  void
+  check_closing(Checks &checks)
+  {
+    constexpr double gap = .02;
+    SampleModel      model(4);
+    model.supports.bodies[1].prescribed.set();
+    System system(model.mesh, model.supports, MPI_COMM_WORLD);
+    model.disturb(system);
+    model.add_contacts(-gap, .001);
+    system.reinit(model.contacts);
+    const unsigned int pattern = system.matrix().pattern_version();
+
+    LinearSolver        solver(system, "double factor");
+    std::vector<double> solution;
+    for (const unsigned int closed : {0, 1, 2, 0, 2})
+      {
+        auto contacts = model.contacts;
+        for (unsigned int c = 0; c < closed; ++c)
+          contacts[c].offset -= 2 * gap;
+        system.reinit(contacts);
+        system.assemble(model.state, model.targets, contacts);
+        const Outcome     outcome = solver.solve(system.matrix(),
+                                             system.right_hand_side(),
+                                             undamped(system),
+                                             1e-3,
+                                             solution);
+        const std::string name = ", contacts closed: " + std::to_string(closed);
+        checks.equal("new patterns" + name,
+                     system.matrix().pattern_version() - pattern,
+                     0);
+        checks.below("remainder" + name,
+                     remainder(system, system.gather(solution)),
+                     1e-8);
+        checks.below("iterations" + name, outcome.iterations, 3);
+      }
+  }
+
   /** A clamped fiber, shortened by @p strain , under a small load across. */
   void
   check_buckling(Checks &checks)
@@ -219,5 +258,6 @@ main(int argc, char **argv)
   check_precision(checks);
   check_fallback(checks);
   check_pattern(checks);
+  check_closing(checks);
   check_buckling(checks);
 }

@@ -26,10 +26,10 @@ namespace fiberloom
 
 
   void
-  BlockPreconditioner::forget_ordering()
+  BlockPreconditioner::forget()
   {
-    fibers.forget_ordering();
-    hexes.forget_ordering();
+    fibers.forget();
+    hexes.forget();
   }
 
 

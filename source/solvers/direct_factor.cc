@@ -11,6 +11,9 @@
 #include <metis.h>
 #include <smumps_c.h>
 
+#include <algorithm>
+#include <iterator>
+#include <numeric>
 #include <string>
 
 #ifdef __SSE2__
@@ -28,7 +31,7 @@ namespace fiberloom
     analyse(const BlockMatrix &matrix) = 0;
 
     virtual void
-    forget_ordering() = 0;
+    forget() = 0;
 
     virtual int
     factorize(const BlockMatrix &matrix) = 0;
@@ -106,9 +109,94 @@ namespace fiberloom
                (part == DirectFactor::Part::matrix);
     }
 
-    // Operations of a factor with an ordering of an earlier pattern, over those
-    // when it was new.
+    // Of each owned block, the coupled ones from the diagonal on.
+    using Couplings = std::vector<std::vector<unsigned int>>;
+
+    // Blocks that have become zero cost less than a new analysis, up to this
+    // part of those that are not.
+    constexpr double largest_surplus = .1;
+
+    // An ordering is kept while there are no more couplings than this over
+    // those it was made for, and operations of the factor over those then.
     constexpr double largest_growth = 1.05;
+
+    /** Number of couplings on all ranks. */
+    std::size_t
+    sum(const MPI_Comm comm, const Couplings &couplings)
+    {
+      std::size_t size = 0;
+      for (const auto &row : couplings)
+        size += row.size();
+      return dealii::Utilities::MPI::sum(size, comm);
+    }
+
+    /** The blocks of @p matrix that a factor has to know: contacts that are
+     * open leave theirs zero. */
+    Couplings
+    couplings_in(const BlockMatrix          &matrix,
+                 const DirectFactor::Part    part,
+                 const DirectFactor::Entries entries)
+    {
+      const BlockLayout &layout = matrix.layout();
+      Couplings          found(layout.owned_blocks().size());
+      for (unsigned int row = 0; row < found.size(); ++row)
+        {
+          const unsigned int block   = layout.owned_blocks()[row];
+          const auto        &columns = matrix.columns(row);
+          found[row].push_back(block);
+          if (is_in(part, layout, block))
+            for (unsigned int c = 0; c < columns.size(); ++c)
+              if (columns[c] > block && is_in(part, layout, columns[c]))
+                {
+                  const double *begin = matrix.values(row, c);
+                  const double *end =
+                    begin + layout.size(block) * layout.size(columns[c]);
+                  if (entries == DirectFactor::Entries::all ||
+                      std::any_of(begin, end, [](const double entry) {
+                        return entry != 0;
+                      }))
+                    found[row].push_back(columns[c]);
+                }
+        }
+      return found;
+    }
+
+    /** Whether @p blocks are all in @p analysed , on every rank. */
+    bool
+    covers(const MPI_Comm   comm,
+           const Couplings &analysed,
+           const Couplings &blocks)
+    {
+      bool covered = analysed.size() == blocks.size();
+      for (unsigned int row = 0; row < blocks.size() && covered; ++row)
+        covered = std::includes(analysed[row].begin(),
+                                analysed[row].end(),
+                                blocks[row].begin(),
+                                blocks[row].end());
+      return dealii::Utilities::MPI::min(int(covered), comm) == 1;
+    }
+
+    Couplings
+    merged(const Couplings &a, const Couplings &b)
+    {
+      Couplings merged(a.size());
+      for (unsigned int row = 0; row < a.size(); ++row)
+        std::set_union(a[row].begin(),
+                       a[row].end(),
+                       b[row].begin(),
+                       b[row].end(),
+                       std::back_inserter(merged[row]));
+      return merged;
+    }
+
+    /** Whether @p blocks are hardly more than @p needed , over all ranks. */
+    bool
+    is_lean(const MPI_Comm   comm,
+            const Couplings &blocks,
+            const Couplings &needed)
+    {
+      return sum(comm, blocks) <= (1 + largest_surplus) * sum(comm, needed);
+    }
 
     /**
      * Position of each dof in the pivot order (from one), on rank 0; METIS's
@@ -116,45 +204,36 @@ namespace fiberloom
      * than that of dofs.
      */
     std::vector<int>
-    pivot_positions(const BlockMatrix &matrix, const DirectFactor::Part part)
+    pivot_positions(const BlockLayout &layout, const Couplings &blocks)
     {
-      const BlockLayout &layout = matrix.layout();
-      const auto        &owned  = layout.owned_blocks();
-
-      std::vector<unsigned int> local; // block, count, neighbours ...
-      for (unsigned int row = 0; row < owned.size(); ++row)
-        {
-          local.push_back(owned[row]);
-          const std::size_t count = local.size();
-          local.push_back(0);
-          if (is_in(part, layout, owned[row]))
-            for (const unsigned int column : matrix.columns(row))
-              if (column != owned[row] && is_in(part, layout, column))
-                {
-                  local.push_back(column);
-                  ++local[count];
-                }
-        }
+      std::vector<idx_t> couples; // of rows and columns
+      for (unsigned int row = 0; row < blocks.size(); ++row)
+        for (const unsigned int column : blocks[row])
+          if (column != layout.owned_blocks()[row])
+            {
+              couples.push_back(layout.owned_blocks()[row]);
+              couples.push_back(column);
+            }
       const auto parts =
-        dealii::Utilities::MPI::gather(layout.communicator(), local, 0);
+        dealii::Utilities::MPI::gather(layout.communicator(), couples, 0);
       if (dealii::Utilities::MPI::this_mpi_process(layout.communicator()) != 0)
         return {};
 
       idx_t              n = layout.n_blocks();
-      std::vector<idx_t> begin(n + 1, 0), neighbours, weights(n);
+      std::vector<idx_t> begin(n + 1, 0), weights(n);
       for (idx_t block = 0; block < n; ++block)
         weights[block] = layout.size(block);
       for (const auto &part : parts)
-        for (std::size_t i = 0; i < part.size(); i += 2 + part[i + 1])
-          begin[part[i] + 1] = part[i + 1];
-      for (idx_t block = 0; block < n; ++block)
-        begin[block + 1] += begin[block];
-      neighbours.resize(begin[n]);
+        for (const idx_t block : part)
+          ++begin[block + 1];
+      std::partial_sum(begin.begin(), begin.end(), begin.begin());
+      std::vector<idx_t> neighbours(begin[n]), end(begin);
       for (const auto &part : parts)
-        for (std::size_t i = 0; i < part.size(); i += 2 + part[i + 1])
-          std::copy(part.begin() + i + 2,
-                    part.begin() + i + 2 + part[i + 1],
-                    neighbours.begin() + begin[part[i]]);
+        for (std::size_t i = 0; i < part.size(); i += 2)
+          {
+            neighbours[end[part[i]]++]     = part[i + 1];
+            neighbours[end[part[i + 1]]++] = part[i];
+          }
 
       std::vector<idx_t> order(n), position(n);
       idx_t              options[METIS_NOPTIONS];
@@ -185,9 +264,10 @@ namespace fiberloom
   class DirectFactor::Typed : public DirectFactor::Implementation
   {
   public:
-    Typed(const MPI_Comm comm, const Part part)
+    Typed(const MPI_Comm comm, const Part part, const Entries entries)
       : comm(comm)
       , part(part)
+      , entries(entries)
       , rank(dealii::Utilities::MPI::this_mpi_process(comm))
     {
       data.par          = 1;
@@ -218,29 +298,34 @@ namespace fiberloom
     void
     analyse(const BlockMatrix &matrix) override
     {
-      if (analysed == matrix.pattern_version() && &matrix == analysed_matrix)
+      auto needed = couplings_in(matrix, part, entries);
+      if (covers(comm, couplings, needed) && is_lean(comm, couplings, needed))
         return;
-      set_pattern(matrix);
-      has_ordering = has_ordering && &matrix == analysed_matrix;
-      if (has_ordering)
+      const bool is_first = couplings.empty();
+      if (auto both = merged(is_first ? needed : couplings, needed);
+          is_lean(comm, both, needed))
+        couplings = std::move(both);
+      else
+        couplings = std::move(needed);
+      set_pattern(matrix.layout());
+      const auto n_couplings = sum(comm, couplings);
+      const bool orders =
+        !has_ordering || n_couplings > largest_growth * ordered_couplings;
+      if (orders)
         {
-          analyse_ordered();
-          has_ordering = data.rinfog[0] <= largest_growth * operations;
+          positions         = pivot_positions(matrix.layout(), couplings);
+          ordered_couplings = n_couplings;
         }
-      if (!has_ordering)
-        {
-          positions = pivot_positions(matrix, part);
-          analyse_ordered();
-          operations   = data.rinfog[0];
-          has_ordering = true;
-        }
-      analysed        = matrix.pattern_version();
-      analysed_matrix = &matrix;
+      analyse_ordered();
+      if (orders)
+        ordered_operations = data.rinfog[0];
+      has_ordering = data.rinfog[0] <= largest_growth * ordered_operations;
     }
 
     void
-    forget_ordering() override
+    forget() override
     {
+      couplings.clear();
       has_ordering = false;
     }
 
@@ -318,59 +403,30 @@ namespace fiberloom
     }
 
   private:
-    /**
-     * Calls @p visit(row dof, column dof, value) for the owned upper triangle
-     * of the symmetric part; only within a diagonal block there can be another.
-     */
-    template <class Visit>
+    /** The entries of the upper triangle, in the order of fill_values(). */
     void
-    visit_upper_triangle(const BlockMatrix &matrix, const Visit &visit) const
-    {
-      const BlockLayout &layout = matrix.layout();
-      for (unsigned int row = 0; row < layout.owned_blocks().size(); ++row)
-        {
-          const unsigned int block   = layout.owned_blocks()[row];
-          const unsigned int row_dof = layout.first_dof(block);
-          const auto        &columns = matrix.columns(row);
-          if (!is_in(part, layout, block))
-            {
-              for (unsigned int i = 0; i < layout.size(block); ++i)
-                visit(row_dof + i, row_dof + i, 1);
-              continue;
-            }
-          for (unsigned int c = 0; c < columns.size(); ++c)
-            {
-              if (columns[c] < block || !is_in(part, layout, columns[c]))
-                continue;
-              const unsigned int column_dof = layout.first_dof(columns[c]);
-              const unsigned int width      = layout.size(columns[c]);
-              const double      *entries    = matrix.values(row, c);
-              for (unsigned int i = 0; i < layout.size(block); ++i)
-                for (unsigned int j = columns[c] == block ? i : 0; j < width;
-                     ++j)
-                  visit(row_dof + i,
-                        column_dof + j,
-                        columns[c] == block ? .5 * (entries[i * width + j] +
-                                                    entries[j * width + i]) :
-                                              entries[i * width + j]);
-            }
-        }
-    }
-
-    void
-    set_pattern(const BlockMatrix &matrix)
+    set_pattern(const BlockLayout &layout)
     {
       rows.clear();
       columns.clear();
-      visit_upper_triangle(matrix,
-                           [&](const unsigned int row,
-                               const unsigned int column,
-                               const double) {
-                             rows.push_back(row + 1);
-                             columns.push_back(column + 1);
-                           });
+      for (unsigned int row = 0; row < couplings.size(); ++row)
+        {
+          const unsigned int block     = layout.owned_blocks()[row];
+          const unsigned int first_row = layout.first_dof(block) + 1;
+          for (const unsigned int column : couplings[row])
+            {
+              const unsigned int first_column = layout.first_dof(column) + 1;
+              for (unsigned int i = 0; i < layout.size(block); ++i)
+                for (unsigned int j = column == block ? i : 0;
+                     j < layout.size(column);
+                     ++j)
+                  {
+                    rows.push_back(first_row + i);
+                    columns.push_back(first_column + j);
+                  }
+            }
+        }
 
-      const BlockLayout &layout = matrix.layout();
       block_begins.clear();
       for (unsigned int block = 0; block <= layout.n_blocks(); ++block)
         block_begins.push_back(layout.first_dof(block) + 1);
@@ -403,27 +459,51 @@ namespace fiberloom
                            std::to_string(data.infog[0]));
     }
 
+    /** Of the symmetric part; only within a diagonal block there can be
+     * another. Blocks that the matrix has not are zero. */
     void
     fill_values(const BlockMatrix &matrix)
     {
+      const BlockLayout &layout = matrix.layout();
       values.clear();
       values.reserve(rows.size());
-      visit_upper_triangle(matrix,
-                           [&](const unsigned int,
-                               const unsigned int,
-                               const double value) {
-                             values.push_back(value);
-                           });
+      for (unsigned int row = 0; row < couplings.size(); ++row)
+        {
+          const unsigned int block   = layout.owned_blocks()[row];
+          const unsigned int height  = layout.size(block);
+          const auto        &present = matrix.columns(row);
+          auto               next    = present.begin();
+          for (const unsigned int column : couplings[row])
+            {
+              const unsigned int width = layout.size(column);
+              next = std::lower_bound(next, present.end(), column);
+              const double *entries =
+                next != present.end() && *next == column ?
+                  matrix.values(row, next - present.begin()) :
+                  nullptr;
+              if (column != block)
+                for (unsigned int i = 0; i < height * width; ++i)
+                  values.push_back(entries ? entries[i] : 0);
+              else
+                for (unsigned int i = 0; i < height; ++i)
+                  for (unsigned int j = i; j < height; ++j)
+                    values.push_back(is_in(part, layout, block) ?
+                                       .5 * (entries[i * height + j] +
+                                             entries[j * height + i]) :
+                                       i == j);
+            }
+        }
     }
 
     MPI_Comm                                     comm;
     const Part                                   part;
+    const Entries                                entries;
     unsigned int                                 rank;
     Mumps                                        data{};
-    unsigned int                                 analysed        = 0;
-    bool                                         has_ordering    = false;
-    double                                       operations      = 0;
-    const BlockMatrix                           *analysed_matrix = nullptr;
+    Couplings                                    couplings; // analysed
+    bool                                         has_ordering       = false;
+    std::size_t                                  ordered_couplings  = 0;
+    double                                       ordered_operations = 0;
     std::vector<int>                             rows, columns, positions;
     std::vector<int>                             block_begins;
     std::vector<Real>                            values, right_hand_side;
@@ -434,14 +514,15 @@ namespace fiberloom
 
   DirectFactor::DirectFactor(const MPI_Comm  comm,
                              const Precision precision,
-                             const Part      part)
+                             const Part      part,
+                             const Entries   entries)
   {
     if (precision == Precision::double_precision)
       implementation =
-        std::make_unique<Typed<DMUMPS_STRUC_C, double>>(comm, part);
+        std::make_unique<Typed<DMUMPS_STRUC_C, double>>(comm, part, entries);
     else
       implementation =
-        std::make_unique<Typed<SMUMPS_STRUC_C, float>>(comm, part);
+        std::make_unique<Typed<SMUMPS_STRUC_C, float>>(comm, part, entries);
   }
 
 
@@ -459,9 +540,9 @@ namespace fiberloom
 
 
   void
-  DirectFactor::forget_ordering()
+  DirectFactor::forget()
   {
-    implementation->forget_ordering();
+    implementation->forget();
   }
 
 

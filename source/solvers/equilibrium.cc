@@ -269,7 +269,7 @@ namespace fiberloom
                            const bool     search_line)
   {
     const double approach =
-      pulls ?
+      in_one_loop ?
         std::min(approach_force, approach_over_tolerance * this->tolerance()) *
           residual_scale(problem) :
         0;
@@ -360,7 +360,7 @@ namespace fiberloom
       }
     last_factor = factor;
     damping.remember(factor * increment);
-    if (pulls)
+    if (in_one_loop)
       damping.follow_fibers(moves ? prescribed_limit : 0);
     system.motion().advance(state, increment, factor);
     return Step::moved;
@@ -535,7 +535,7 @@ namespace fiberloom
   Equilibrium::solve_nested(State &state, const Problem &problem)
   {
     damping.reset(0);
-    pulls = false;
+    pulls = in_one_loop = false;
     for (unsigned int pass = 0; pass < parameters.solver.largest_contact_passes;
          ++pass)
       {
@@ -596,7 +596,7 @@ namespace fiberloom
                        const double       damping_over_Er)
   {
     damping.reset(damping_over_Er);
-    pulls = false;
+    pulls = in_one_loop = false;
     for (unsigned int i = 0; i < n; ++i)
       {
         generate(state, problem);
@@ -620,6 +620,7 @@ namespace fiberloom
     pulls = follows(problem) &&
             system.motion().moves(problem.before, problem.targets);
     last_reactions.clear();
+    in_one_loop = true;
     std::vector<double> residuals;
     unsigned int        stiffenings = 0, since_stiffening = 0;
     const auto          stiffen = [&]() {

@@ -301,9 +301,9 @@ namespace fiberloom
   void
   LinearSolver::forget()
   {
-    factor->forget_ordering();
+    factor->forget();
     if (blocks)
-      blocks->forget_ordering();
+      blocks->forget();
   }
 
 
@@ -312,7 +312,9 @@ namespace fiberloom
   LinearSolver::time_double_factorization(const BlockMatrix &matrix)
   {
     DirectFactor factor(matrix.layout().communicator(),
-                        DirectFactor::Precision::double_precision);
+                        DirectFactor::Precision::double_precision,
+                        DirectFactor::Part::all,
+                        DirectFactor::Entries::all);
     factor.analyse(matrix);
     double seconds = 0;
     {

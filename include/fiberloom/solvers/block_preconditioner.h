@@ -24,7 +24,7 @@ namespace fiberloom
     analyse(const BlockMatrix &matrix);
 
     void
-    forget_ordering();
+    forget();
 
     /** As DirectFactor::factorize(), of both; keeps a reference. */
     int

@@ -37,22 +37,32 @@ namespace fiberloom
       matrix
     };
 
+    /** Which couplings of two blocks are factorised: open contacts leave
+     * theirs zero, and they are a third of the operations. */
+    enum class Entries
+    {
+      nonzero,
+      all
+    };
+
     DirectFactor(const MPI_Comm  comm,
                  const Precision precision,
-                 const Part      part = Part::all);
+                 const Part      part    = Part::all,
+                 const Entries   entries = Entries::nonzero);
     ~DirectFactor();
 
     /**
-     * Analyses the pattern of @p matrix if it has changed; throws
+     * Analyses the couplings of @p matrix if there are others; throws
      * StageFailure. The ordering is kept for as long as the factor costs
      * little more than with the one that was new.
      */
     void
     analyse(const BlockMatrix &matrix);
 
-    /** The next pattern is ordered anew. */
+    /** The next matrix is analysed as if it were the first: what follows does
+     * not depend on earlier ones. */
     void
-    forget_ordering();
+    forget();
 
     /**
      * Factorises @p matrix , which has been analysed. Returns the number of

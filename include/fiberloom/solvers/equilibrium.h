@@ -210,7 +210,8 @@ namespace fiberloom
     double                      last_factor   = 1; // of a Newton step
     double                      last_residual = 0; // before it
     double                      longest_step  = 1;
-    bool                        pulls         = false; // in the damped loop
+    bool                        in_one_loop   = false;
+    bool                        pulls         = false; // in that loop
     std::vector<Vector3>        last_reactions;
 
     // Of steps that move bodies, over the radius.
