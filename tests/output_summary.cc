@@ -34,6 +34,7 @@ main(int argc, char **argv)
   summary.stages[0].seconds.wall                    = std::nan("");
   summary.stages[1].name                            = "relax";
   summary.stages[1].largest_penetration_over_radius = .0215;
+  summary.stages[1].estimated_error.mesh            = .0025;
 
   std::istringstream          text(summary_json(summary));
   boost::property_tree::ptree tree;
@@ -49,6 +50,7 @@ main(int argc, char **argv)
                            "model.nodes",
                            "model.fiber_elements",
                            "model.fiber_dofs",
+                           "model.matrix_cells",
                            "model.matrix_dofs",
                            "model.contact_elements",
                            "model.junctions",
@@ -57,10 +59,11 @@ main(int argc, char **argv)
   for (const auto &[key, stage] : tree.get_child("stages"))
     {
       for (const auto &[name, value] : stage)
-        if (name != "seconds")
+        if (value.empty())
           out << name << " " << value.data() << "\n";
-      for (const auto &[name, value] : stage.get_child("seconds"))
-        out << "seconds " << name << " " << value.data() << "\n";
+        else
+          for (const auto &[part, number] : value)
+            out << name << " " << part << " " << number.data() << "\n";
     }
 
   summary.stages.clear();

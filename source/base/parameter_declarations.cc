@@ -550,6 +550,12 @@ namespace fiberloom
                     "stage, and reports what Newton iterations cost in its "
                     "units.",
                     Allowed::true_or_false());
+      catalogue.add("Error estimate",
+                    solver.error_estimate,
+                    "Whether a stage with a loading curve ends with an "
+                    "estimate of its error by mesh, stations and penetration, "
+                    "for which a system of twice the size is solved.",
+                    Allowed::true_or_false());
       catalogue.leave_section();
     }
 
@@ -588,6 +594,11 @@ namespace fiberloom
       catalogue.add("Iterations in log",
                     output.iterations,
                     "Whether log.txt has a line for each Newton iteration.",
+                    Allowed::true_or_false());
+      catalogue.add("Only summary",
+                    output.only_summary,
+                    "Whether nothing is written but log.txt and summary.json, "
+                    "and a checkpoint where a run stops before its end.",
                     Allowed::true_or_false());
       catalogue.leave_section();
     }

@@ -59,11 +59,73 @@ namespace fiberloom
 
 
 
+  bool
+  ProximitySearch::may_touch_itself(const DofVector       &q,
+                                    const FiberMesh::Line &line) const
+  {
+    // The directions of a chain of pieces that turns by less than pi in all lie
+    // within half that angle of one of them, along which two points are as far
+    // apart as the length between them times its cosine, or farther.
+    double  turn = 0, least_stretch = 1;
+    Vector3 before = Vector3::Zero();
+    for (unsigned int k = 0; k + 1 < line.n_nodes(); ++k)
+      {
+        const unsigned int node = line.first_node + k;
+        const Vector3      piece =
+          q.segment<3>(9 * (node + 1)) - q.segment<3>(9 * node);
+        least_stretch =
+          std::min(least_stretch,
+                   piece.norm() * (line.n_nodes() - 1) / line.length);
+        if (k > 0)
+          turn += std::atan2(before.cross(piece).norm(), before.dot(piece));
+        before = piece;
+      }
+    const double reach = 2 * line.radius + margin + skin;
+    return turn >= M_PI ||
+           2 * M_PI * line.radius * least_stretch * std::cos(turn / 2) < reach;
+  }
+
+
+
+  bool
+  ProximitySearch::may_find(const DofVector &q) const
+  {
+    using Box = CGAL::Bbox_3;
+    std::vector<Box> boxes;
+    for (const auto &line : mesh.lines())
+      {
+        if (self_contact && may_touch_itself(q, line))
+          return true;
+        Vector3 lower = q.segment<3>(9 * line.first_node), upper = lower;
+        for (unsigned int k = 1; k < line.n_nodes(); ++k)
+          {
+            const Vector3 x = q.segment<3>(9 * (line.first_node + k));
+            lower           = lower.cwiseMin(x);
+            upper           = upper.cwiseMax(x);
+          }
+        const double reach = line.radius + .5 * (margin + skin);
+        lower.array() -= reach;
+        upper.array() += reach;
+        const Box box(
+          lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]);
+        for (const Box &other : boxes)
+          if (CGAL::do_overlap(box, other))
+            return true;
+        boxes.push_back(box);
+      }
+    return false;
+  }
+
+
+
   void
   ProximitySearch::search(const DofVector &q)
   {
     searched_at = q;
     found.clear();
+    if (!may_find(q))
+      return;
+    ++searches;
     const auto point = [&](const unsigned int node) {
       return Kernel::Point_3(q[9 * node], q[9 * node + 1], q[9 * node + 2]);
     };

@@ -11,11 +11,14 @@
 #include <boost/crc.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
+#include <boost/serialization/version.hpp>
 
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <sstream>
+
+BOOST_CLASS_VERSION(fiberloom::StageStatistics, 1)
 
 namespace boost
 {
@@ -23,7 +26,9 @@ namespace boost
   {
     template <class Archive>
     void
-    serialize(Archive &ar, fiberloom::StageStatistics &s, const unsigned int)
+    serialize(Archive                    &ar,
+              fiberloom::StageStatistics &s,
+              const unsigned int          version)
     {
       ar &s.name &s.converged &s.increments &s.rejected_increments;
       ar &s.contact_updates &s.normal_updates &s.newton_iterations;
@@ -33,6 +38,13 @@ namespace boost
       ar &s.seconds.detection &s.seconds.assembly &s.seconds.linear_solver;
       ar &s.seconds.analysis &s.seconds.factorization &s.seconds.krylov;
       ar &s.seconds.output &s.seconds.wall &s.seconds.yardstick;
+      if (version >= 1) // checkpoints from before these stay readable
+        {
+          ar &s.unsymmetric_systems &s.searches &s.friction_history;
+          ar &s.estimated_error.mesh &s.estimated_error.stations;
+          ar &s.estimated_error.penetration &s.estimated_error.total;
+          ar                                &s.seconds.estimate;
+        }
     }
   } // namespace serialization
 } // namespace boost

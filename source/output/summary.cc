@@ -93,6 +93,7 @@ namespace fiberloom
         .member("nodes", model.nodes)
         .member("fiber_elements", model.fiber_elements)
         .member("fiber_dofs", model.fiber_dofs)
+        .member("matrix_cells", model.matrix_cells)
         .member("matrix_dofs", model.matrix_dofs)
         .member("contact_elements", model.contact_elements)
         .member("junctions", model.junctions)
@@ -111,6 +112,14 @@ namespace fiberloom
           .member("factorization", stage.seconds.factorization)
           .member("krylov", stage.seconds.krylov)
           .member("output", stage.seconds.output)
+          .member("estimate", stage.seconds.estimate)
+          .str();
+      const std::string error =
+        JsonObject(3)
+          .member("mesh", stage.estimated_error.mesh)
+          .member("stations", stage.estimated_error.stations)
+          .member("penetration", stage.estimated_error.penetration)
+          .member("total", stage.estimated_error.total)
           .str();
       return JsonObject(2)
         .member("name", stage.name)
@@ -122,10 +131,15 @@ namespace fiberloom
         .member("newton_iterations", stage.newton_iterations)
         .member("linear_iterations", stage.linear_iterations)
         .member("factorizations", stage.factorizations)
+        .member("unsymmetric_systems", stage.unsymmetric_systems)
+        .member("searches", stage.searches)
+        .member("friction_history", stage.friction_history)
+        .member("exchanged_values", stage.exchanged_values)
         .member("wall_seconds", stage.seconds.wall)
         .raw("seconds", seconds)
         .member("largest_penetration_over_radius",
                 stage.largest_penetration_over_radius)
+        .raw("estimated_error", error)
         .member("crossings_out_of_order", stage.crossings_out_of_order)
         .member("contact_elements", stage.contact_elements)
         .str();

@@ -149,6 +149,8 @@ namespace fiberloom
   void
   OutputWriter::begin()
   {
+    if (parameters.output.only_summary)
+      return;
     collectively(comm, [&]() {
       if (!is_first_rank())
         return;
@@ -167,7 +169,7 @@ namespace fiberloom
   {
     const SecondsGuard guard(output_seconds);
     count(composite);
-    if (state.increment > 0)
+    if (state.increment > 0 || parameters.output.only_summary)
       return;
     const std::string label =
       increment_label(stage_label(parameters.stages, state.stage), 0);
@@ -191,6 +193,25 @@ namespace fiberloom
     record(state.stage, entry);
     summary.model.contact_elements = report.contacts.size();
 
+    if (!parameters.output.only_summary)
+      write_files(report);
+    if (report.last)
+      {
+        statistics[state.stage].seconds.output += guard.elapsed();
+        statistics[state.stage].seconds.wall += guard.elapsed();
+        write_summary(state.stage + 1 == parameters.stages.size());
+      }
+    if (!parameters.output.only_summary &&
+        is_due(parameters.output.checkpoint_every, report))
+      save(state);
+  }
+
+
+
+  void
+  OutputWriter::write_files(const IncrementReport &report)
+  {
+    const State      &state = report.state;
     const std::string label = stage_label(parameters.stages, state.stage);
     write_tables(report);
     if (is_due(parameters.output.slices_every, report))
@@ -203,14 +224,17 @@ namespace fiberloom
                    report.composite,
                    increment_label(label, state.increment));
     if (report.last)
-      {
-        write_end_of_stage(report, label);
-        statistics[state.stage].seconds.output += guard.elapsed();
-        statistics[state.stage].seconds.wall += guard.elapsed();
-        write_summary(state.stage + 1 == parameters.stages.size());
-      }
-    if (is_due(parameters.output.checkpoint_every, report))
+      write_end_of_stage(report, label);
+  }
+
+
+
+  void
+  OutputWriter::end_stage(const State &state)
+  {
+    if (!parameters.output.only_summary)
       save(state);
+    write_summary(state.stage == parameters.stages.size());
   }
 
 
@@ -245,8 +269,9 @@ namespace fiberloom
   {
     if (composite == nullptr)
       return;
-    summary.model.matrix_dofs = 3 * composite->matrix().n_nodes();
-    summary.model.junctions   = composite->junctions().size();
+    summary.model.matrix_cells = composite->matrix().n_cells();
+    summary.model.matrix_dofs  = 3 * composite->matrix().n_nodes();
+    summary.model.junctions    = composite->junctions().size();
   }
 
 

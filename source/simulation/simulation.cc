@@ -7,12 +7,14 @@
 
 #include <fiberloom/stages/coat.h>
 
+#include <fiberloom/simulation/error_estimate.h>
 #include <fiberloom/simulation/simulation.h>
 #include <fiberloom/simulation/stage_run.h>
 
 #include <boost/format.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 
@@ -211,25 +213,36 @@ namespace fiberloom
         if (under_way && restart.stages.size() > restart.state.stage)
           statistics = restart.stages[restart.state.stage];
 
-        const unsigned int number = state.stage;
+        const unsigned int number        = state.stage;
+        const double       output_before = output_seconds;
+        const auto         record        = [&]() {
+          statistics.seconds.output += output_seconds - output_before;
+          writer.record(number, statistics);
+        };
         try
           {
             writer.begin_stage(name, state, composite.get());
-            StageRun run(
-              scene,
-              *stage,
-              name,
-              generator,
-              statistics,
-              log,
-              comm,
-              [&stop]() { return stop.requested(); },
-              state);
-            run.run(state, std::ref(writer));
+            State before_last;
+            {
+              StageRun run(
+                scene,
+                *stage,
+                name,
+                generator,
+                statistics,
+                log,
+                comm,
+                [&stop]() { return stop.requested(); },
+                state);
+              run.run(state, std::ref(writer));
+              before_last = run.before_last();
+            }
+            if (parameters.solver.error_estimate && before_last.q.size() > 0)
+              estimate(scene, before_last, state, statistics);
           }
         catch (const StopRequested &)
           {
-            writer.record(number, statistics);
+            record();
             writer.save(state);
             writer.write_summary(false);
             log.write("stopped on request (" + stop.reason() +
@@ -240,7 +253,7 @@ namespace fiberloom
         catch (const StageFailure &failure)
           {
             log.write(failure.what());
-            writer.record(number, statistics);
+            record();
             writer.save(state);
             writer.write_summary(false);
             throw;
@@ -248,11 +261,11 @@ namespace fiberloom
 
         state.stages_done.push_back(name);
         state.begin_stage(number + 1);
-        writer.record(number, statistics);
-        writer.save(state);
-        writer.write_summary(state.stage == parameters.stages.size());
+        record();
+        writer.end_stage(state);
         if (state.stage < parameters.stages.size() && stop.requested())
           {
+            writer.save(state);
             log.write("stopped on request (" + stop.reason() +
                       "): go on with --restart " + parameters.output_directory +
                       "/checkpoint");
@@ -260,6 +273,29 @@ namespace fiberloom
           }
       }
     return 0;
+  }
+
+
+
+  void
+  Simulation::estimate(const Scene     &scene,
+                       const State     &before,
+                       const State     &reached,
+                       StageStatistics &statistics)
+  {
+    {
+      ScopedTimer timer(statistics.seconds.estimate);
+      statistics.estimated_error =
+        estimate_error(scene, statistics.name, before, reached, comm);
+    }
+    const ErrorEstimate &error = statistics.estimated_error;
+    if (std::isfinite(error.total))
+      log.write((boost::format("%-8s estimated error of the loading curve "
+                               "%.2g %%: mesh %.2g %%, stations %.2g %%, "
+                               "penetration %.2g %%") %
+                 statistics.name % (100 * error.total) % (100 * error.mesh) %
+                 (100 * error.stations) % (100 * error.penetration))
+                  .str());
   }
 
 
@@ -304,6 +340,8 @@ namespace fiberloom
       left_out += " the search for contact,";
     if (!parameters.has_matrix())
       left_out += " matrix layers, junctions,";
+    if (parameters.output.only_summary)
+      left_out += " all files but log.txt and summary.json,";
     if (left_out.empty())
       return;
     left_out.back() = ' ';

@@ -32,7 +32,8 @@ namespace fiberloom
     {
       double dissipation = 0;
       for (const ContactElement &contact : contacts)
-        dissipation += dissipated_energy(contact, section_pair(contact, q));
+        if (contact.friction_limit > 0)
+          dissipation += dissipated_energy(contact, section_pair(contact, q));
       return dissipation;
     }
 
@@ -83,6 +84,7 @@ namespace fiberloom
                       throw StopRequested("");
                   })
     , shown(statistics)
+    , counted_searches(generator.n_searches())
   {}
 
 
@@ -148,12 +150,18 @@ namespace fiberloom
           stage.rule(load),
           stage.least_force_scale(load),
           load - state.load};
-        if (equilibrium.solve(found, problem))
+        const bool solved = equilibrium.solve(found, problem);
+        if (!system.has_potential(problem.targets))
+          statistics.unsymmetric_systems +=
+            statistics.newton_iterations - newton_before;
+        if (solved)
           {
             if (statistics.newton_iterations - newton_before <=
                 cheap_iterations)
               found.step =
                 std::min(solver.growth * found.step, stage.largest_step());
+            if (load >= 1)
+              last_start = state;
             accept(state, std::move(found), load);
             return;
           }
@@ -202,6 +210,10 @@ namespace fiberloom
     state.dissipation += dissipation(equilibrium.contacts(), state.q);
 
     ++statistics.increments;
+    statistics.searches += generator.n_searches() - counted_searches;
+    counted_searches            = generator.n_searches();
+    statistics.friction_history = state.contact.history.size();
+    statistics.exchanged_values = system.matrix().n_exchanged();
     statistics.contact_elements = equilibrium.contacts().size();
     statistics.largest_penetration_over_radius =
       std::max(statistics.largest_penetration_over_radius,

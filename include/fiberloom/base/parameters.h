@@ -223,7 +223,8 @@ namespace fiberloom
     std::string  linear_solver =
       "automatic"; // automatic | double factor | single factor | blocks |
                    // multigrid
-    bool benchmark = false;
+    bool benchmark      = false;
+    bool error_estimate = true;
   };
 
   struct OutputParameters
@@ -237,6 +238,7 @@ namespace fiberloom
     unsigned int checkpoint_every = 1; // accepted increments
     bool         pictures         = true;
     bool         iterations       = false;
+    bool         only_summary     = false;
   };
 
   /**

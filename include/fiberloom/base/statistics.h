@@ -5,6 +5,7 @@
 #define fiberloom_base_statistics_h
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,18 @@ namespace fiberloom
     double output        = 0;
     double yardstick     = 0; // one factorisation in double precision, for
                               // comparison
-    double wall = 0;          // all of these and the rest
+    double wall     = 0;      // all of these and the rest
+    double estimate = 0;      // of the error, afterwards
+  };
+
+  /** Of the loading curve at the end of a stage, over its largest value; NaN
+   * where there is none. */
+  struct ErrorEstimate
+  {
+    double mesh        = std::numeric_limits<double>::quiet_NaN();
+    double stations    = std::numeric_limits<double>::quiet_NaN();
+    double penetration = std::numeric_limits<double>::quiet_NaN();
+    double total       = std::numeric_limits<double>::quiet_NaN();
   };
 
   /** What a stage cost and reached; one entry of "stages" in summary.json. */
@@ -41,6 +53,14 @@ namespace fiberloom
     unsigned int crossings_out_of_order          = 0;
     std::size_t  contact_elements                = 0;
     Seconds      seconds;
+
+    ErrorEstimate estimated_error;
+
+    // What a scene can do without.
+    unsigned int unsymmetric_systems = 0; // among those solved
+    unsigned int searches            = 0; // trees over all fibers
+    std::size_t  friction_history    = 0; // slips remembered
+    std::size_t  exchanged_values    = 0; // by ranks in a product
   };
 
   /** The sizes of a model; "model" in summary.json. */
@@ -53,6 +73,7 @@ namespace fiberloom
     std::size_t  matrix_dofs      = 0;
     std::size_t  contact_elements = 0;
     std::size_t  junctions        = 0;
+    std::size_t  matrix_cells     = 0;
   };
 } // namespace fiberloom
 

@@ -80,6 +80,13 @@ namespace fiberloom
       return search.is_needed();
     }
 
+    /** Searches for candidates done so far. */
+    unsigned int
+    n_searches() const
+    {
+      return search.n_searches();
+    }
+
     /** Whether fibers belong to crossing tows. */
     bool
     weaves() const

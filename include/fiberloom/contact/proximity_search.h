@@ -52,14 +52,30 @@ namespace fiberloom
     const std::vector<CandidatePair> &
     candidates(const DofVector &q);
 
+    /** Trees that were built and asked so far. */
+    unsigned int
+    n_searches() const
+    {
+      return searches;
+    }
+
   private:
     void
     search(const DofVector &q);
+
+    /** False where the boxes around all fibers are apart and no fiber turns
+     * far enough to come back to itself: then there is nothing to find. */
+    bool
+    may_find(const DofVector &q) const;
+
+    bool
+    may_touch_itself(const DofVector &q, const FiberMesh::Line &line) const;
 
     const FiberMesh           &mesh;
     const double               margin;
     const double               skin;
     const bool                 self_contact;
+    unsigned int               searches = 0;
     DofVector                  searched_at;
     std::vector<CandidatePair> found;
   };

@@ -6,6 +6,8 @@
 
 #include <fiberloom/model/block_layout.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <Epetra_Import.h>
 #include <Epetra_Map.h>
 #include <Epetra_Operator.h>
@@ -86,6 +88,15 @@ namespace fiberloom
     pattern_version() const
     {
       return version;
+    }
+
+    /** Values that a product needs from other ranks, summed over all of them.
+     * Collective. */
+    std::size_t
+    n_exchanged() const
+    {
+      const std::size_t own = importer ? importer->NumRemoteIDs() : 0;
+      return dealii::Utilities::MPI::sum(own, numbering.communicator());
     }
 
     int

@@ -78,6 +78,10 @@ namespace fiberloom
     void
     operator()(const IncrementReport &report);
 
+    /** Checkpoint and summary.json; @p state begins the next stage. */
+    void
+    end_stage(const State &state);
+
     /** Writes the checkpoint now, as for a stage that fails or is stopped. */
     void
     save(const State &state);
@@ -110,6 +114,10 @@ namespace fiberloom
 
     bool
     is_first_rank() const;
+
+    /** All but summary.json and the checkpoint. */
+    void
+    write_files(const IncrementReport &report);
 
     void
     write_fields(const State                       &state,

@@ -10,6 +10,8 @@
 
 #include <fiberloom/contact/contact_generator.h>
 
+#include <fiberloom/stages/stage.h>
+
 #include <fiberloom/output/writer.h>
 
 #include <memory>
@@ -66,6 +68,14 @@ namespace fiberloom
 
     int
     run_stages(State &state, OutputWriter &writer);
+
+    /** Of the error of a stage that has come from @p before by its last
+     * increment; for log.txt and @p statistics . */
+    void
+    estimate(const Scene     &scene,
+             const State     &before,
+             const State     &reached,
+             StageStatistics &statistics);
 
     /** The matrix of @p state , which stage @p stage gives it if it is to; null
      * if there is none. */

@@ -44,6 +44,14 @@ namespace fiberloom
     void
     run(State &state, const IncrementObserver &observer);
 
+    /** The state from which the last increment of the stage started; empty if
+     * there was none. */
+    const State &
+    before_last() const
+    {
+      return last_start;
+    }
+
   private:
     bool
     take_fast_path(State &state);
@@ -81,6 +89,8 @@ namespace fiberloom
     System                system;
     Equilibrium           equilibrium;
     StageStatistics       shown; // what the last line of the log has told
+    unsigned int          counted_searches; // are in the statistics
+    State                 last_start;
     double                load_at_start = 0;
   };
 } // namespace fiberloom

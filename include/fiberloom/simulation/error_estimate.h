@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_simulation_error_estimate_h
+#define fiberloom_simulation_error_estimate_h
+
+#include <fiberloom/base/statistics.h>
+
+#include <fiberloom/stages/stage.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <string>
+
+namespace fiberloom
+{
+  /**
+   * How far the loading curve of stage @p name is from the converged one at the
+   * end of its last increment, which led from @p before to @p found . From the
+   * state found, a few iterations are done with elements half as long, with
+   * twice the stations, or with stiffer contact; what changes in the curve is
+   * taken on to the limit. Parts that are not to be had are NaN. Collective.
+   */
+  ErrorEstimate
+  estimate_error(const Scene       &scene,
+                 const std::string &name,
+                 const State       &before,
+                 const State       &found,
+                 const MPI_Comm     comm);
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/simulation/error_estimate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace fiberloom
+{
+  namespace
+  {
+    // Balance is not waited for where there is contact: the first iteration
+    // already gives a stiff response, and soft fibers take many.
+    constexpr unsigned int n_with_contact = 2, n_without = 8;
+
+    // The state found is in balance by the scene's own tolerance.
+    constexpr double tighter = 1e-3;
+
+    // Columns that are smaller than this part of what is usual have no scale.
+    constexpr double least_scale = 1e-3;
+
+    // With so much stiffer contact the penetration nearly goes.
+    constexpr double stiffening = 4;
+
+    // Of second order: halved, a length leaves a quarter of its error.
+    constexpr double of_second_order = 4. / 3;
+
+    /** What is finer than in the scene. */
+    struct Refinement
+    {
+      unsigned int elements  = 1; // for one
+      double       stations  = 1; // over the length, for one
+      double       stiffness = 1;
+    };
+
+    Parameters
+    refine(Parameters parameters, const Refinement &refinement)
+    {
+      for (TowParameters *tows :
+           {&parameters.fabric.warp, &parameters.fabric.fill})
+        tows->elements_per_fiber *= refinement.elements;
+      parameters.fibers.elements_per_fiber *= refinement.elements;
+      parameters.contact.stations_per_element *=
+        refinement.stations / refinement.elements;
+      parameters.contact.line_stiffness *= refinement.stiffness;
+      parameters.contact.initial_stiffness *= refinement.stiffness;
+      parameters.solver.contact_tolerance *= tighter;
+      return parameters;
+    }
+
+    /** Carries what belongs to fibers over to a mesh of smaller elements. */
+    class Transfer
+    {
+    public:
+      Transfer(const FiberMesh  &coarse,
+               const FiberMesh  &fine,
+               const Refinement &refinement)
+        : coarse(coarse)
+        , fine(fine)
+        , refinement(refinement)
+      {}
+
+      /** Adds the displacement; dofs of a matrix are as they were. */
+      DofVector
+      dofs(const DofVector &q) const
+      {
+        if (q.size() == 0)
+          return q;
+        const Eigen::Index n_coarse  = coarse.reference().size(),
+                           n_fine    = fine.reference().size();
+        const DofVector displacement = q.head(n_coarse) - coarse.reference();
+        DofVector       result(n_fine + q.size() - n_coarse);
+        result.tail(q.size() - n_coarse) = q.tail(q.size() - n_coarse);
+        for (unsigned int f = 0; f < fine.lines().size(); ++f)
+          for (unsigned int k = 0; k < fine.lines()[f].n_nodes(); ++k)
+            {
+              const unsigned int node = fine.lines()[f].first_node + k;
+              const ElementPoint point =
+                coarse.locate(f, .5 * k / refinement.elements);
+              const auto N     = shape_values(point.xi);
+              auto       value = result.segment<9>(9 * node);
+              value            = fine.reference().segment<9>(9 * node);
+              for (unsigned int a = 0; a < 3; ++a)
+                value += N[a] * displacement.segment<9>(
+                                  9 * (coarse.first_node(point.element) + a));
+            }
+        return result;
+      }
+
+      State
+      operator()(State state) const
+      {
+        for (DofVector *q : {&state.q, &state.stage_start_q, &state.previous_q})
+          *q = dofs(*q);
+        for (Junction &junction : state.matrix.junctions)
+          {
+            const unsigned int fiber =
+              coarse.fiber_of_element(junction.point.element);
+            junction.point = fine.locate(fiber,
+                                         refinement.elements *
+                                           coarse.parameter(junction.point));
+          }
+        for (ContactZone &zone : state.contact.zones)
+          {
+            for (auto &range : zone.range)
+              for (double &u : range)
+                u *= refinement.elements;
+            zone.stiffness *= refinement.stiffness;
+            if (refinement.stations != 1)
+              zone.divided.clear();
+          }
+        for (FrictionHistory &slip : state.contact.history)
+          for (double &u : slip.u)
+            u *= refinement.elements;
+        return state;
+      }
+
+    private:
+      const FiberMesh  &coarse;
+      const FiberMesh  &fine;
+      const Refinement &refinement;
+    };
+
+    /** Of contacts [mm], each as much as its force. */
+    double
+    mean_penetration(const std::vector<ContactElement> &contacts)
+    {
+      double sum = 0, force = 0;
+      for (const ContactElement &contact : contacts)
+        {
+          sum -= contact.normal_force * contact.gap;
+          force += contact.normal_force;
+        }
+      return force > 0 ? sum / force : 0;
+    }
+
+    struct Outcome
+    {
+      CurveRow begun; // the curve's row where the stage began, without forces
+      CurveRow curve;
+      double   penetration = 0; // [mm]
+    };
+
+    /** What some iterations make of @p found with other parameters. */
+    Outcome
+    solve(const Scene       &scene,
+          const std::string &name,
+          const State       &before,
+          const State       &found,
+          const Refinement  &refinement,
+          const MPI_Comm     comm)
+    {
+      const Parameters parameters = refine(scene.parameters, refinement);
+      const FiberSet   fibers     = build_fiber_set(parameters);
+      const FiberMesh  mesh(fibers);
+      const Transfer   transfer(scene.mesh, mesh, refinement);
+      const State      start = transfer(before);
+      State            state = transfer(found);
+      state.contact.history  = start.contact.history;
+      std::unique_ptr<Composite> composite;
+      if (!state.matrix.is_empty())
+        composite = std::make_unique<Composite>(state.matrix, mesh);
+
+      const auto stage =
+        create_stage(name, {parameters, fibers, mesh, composite.get()});
+      const Supports   supports = stage->supports(state.stage_start_q);
+      System           system(mesh, supports, comm, composite.get());
+      StageStatistics  statistics;
+      ContactGenerator generator(fibers, mesh, parameters.contact);
+      Equilibrium      equilibrium(mesh,
+                              parameters,
+                              generator,
+                              system,
+                              statistics,
+                              [](const Equilibrium::Progress &) {});
+      const double     load = found.load;
+      const Equilibrium::Problem problem{
+        start,
+        {stage->targets(state.stage_start_placements, load),
+         stage->node_forces(load)},
+        stage->rule(load)};
+      equilibrium.iterate(state,
+                          problem,
+                          found.contact.zones.empty() ? n_without :
+                                                        n_with_contact,
+                          generator.weaves() ? equilibrium.dampings()[0] : 0);
+
+      std::vector<ContactElement> contacts =
+        generator.generate(state.q, start.q, problem.rule, state.contact);
+      system.reinit(contacts);
+      system.assemble_residual(state, problem.targets, contacts);
+      State begun;
+      begun.q          = state.stage_start_q;
+      begun.placements = state.stage_start_placements;
+      return {stage->curve(begun,
+                           std::vector<BodyVector>(supports.bodies.size(),
+                                                   BodyVector::Zero())),
+              stage->curve(state, system.reactions()),
+              mean_penetration(contacts)};
+    }
+
+    std::string
+    unit(const std::string &column)
+    {
+      const auto bracket = column.find('[');
+      return bracket == std::string::npos ? "" : column.substr(bracket);
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /**
+     * Largest change of the columns of a unit since the stage began, forces
+     * counted from zero; units in which nothing to speak of happens are left
+     * out, @p radius being that of a fiber.
+     */
+    std::map<std::string, double>
+    scales(const Outcome &outcome, const double radius)
+    {
+      std::map<std::string, double> largest;
+      for (unsigned int c = 0; c < outcome.curve.size(); ++c)
+        {
+          const auto &[column, value] = outcome.curve[c];
+          double &scale               = largest[unit(column)];
+          scale = std::max(scale, std::abs(value - outcome.begun[c].second));
+        }
+      const double                                      force = largest["[N]"];
+      const std::vector<std::pair<std::string, double>> usual{
+        {"[N]", 0}, {"[N.mm]", force * radius}, {"[mm]", radius}, {"[rad]", 1}};
+      std::map<std::string, double> scales;
+      for (const auto &[name, value] : usual)
+        if (largest[name] > least_scale * value)
+          scales[name] = largest[name];
+      return scales;
+    }
+
+    bool
+    has_forces(const CurveRow &curve)
+    {
+      return std::any_of(curve.begin(), curve.end(), [](const auto &column) {
+        return unit(column.first) == "[N]";
+      });
+    }
+
+    /** Of each column with a unit, over its scale. */
+    Eigen::ArrayXd
+    change(const Outcome                       &from,
+           const Outcome                       &to,
+           const std::map<std::string, double> &scale)
+    {
+      Eigen::ArrayXd change(from.curve.size());
+      for (unsigned int c = 0; c < change.size(); ++c)
+        {
+          const auto found = scale.find(unit(from.curve[c].first));
+          change[c] =
+            found == scale.end() ?
+              0 :
+              (to.curve[c].second - from.curve[c].second) / found->second;
+        }
+      return change;
+    }
+  } // namespace
+
+
+
+  ErrorEstimate
+  estimate_error(const Scene       &scene,
+                 const std::string &name,
+                 const State       &before,
+                 const State       &found,
+                 const MPI_Comm     comm)
+  {
+    if (!has_forces(create_stage(name, scene)
+                      ->curve(found,
+                              std::vector<BodyVector>(found.placements.size(),
+                                                      BodyVector::Zero()))))
+      return {};
+    const auto solve_with = [&](const Refinement &refinement) {
+      return solve(scene, name, before, found, refinement, comm);
+    };
+    try
+      {
+        const Outcome now   = solve_with({});
+        const auto    scale = scales(now, scene.mesh.smallest_radius());
+        if (scale.count("[N]") == 0)
+          return {};
+        const Outcome        finer = solve_with({2, 1, 1});
+        const Eigen::ArrayXd mesh = of_second_order * change(now, finer, scale);
+        Eigen::ArrayXd       stations = Eigen::ArrayXd::Zero(mesh.size()),
+                       penetration    = stations;
+        if (now.penetration > 0)
+          {
+            const Outcome denser = solve_with({1, 2, 1});
+            stations             = of_second_order * change(now, denser, scale);
+            // The penetration goes with the error, and both are to vanish.
+            const Outcome stiffer = solve_with({1, 1, stiffening});
+            penetration           = now.penetration /
+                          (now.penetration - stiffer.penetration) *
+                          change(now, stiffer, scale);
+          }
+        const auto largest = [](const Eigen::ArrayXd &change) {
+          return change.abs().maxCoeff();
+        };
+        return {largest(mesh),
+                largest(stations),
+                largest(penetration),
+                largest(mesh + stations + penetration)};
+      }
+    catch (const StageFailure &)
+      {
+        return {};
+      }
+  }
+} // namespace fiberloom

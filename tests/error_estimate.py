@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+
+"""The estimated error of the loading curve against the true one, from a run that is much finer in that respect.
+
+    error_estimate.py PROGRAM SOURCE_DIRECTORY
+"""
+
+import json
+import math
+import os
+import sys
+
+from program_runs import SMALL_WEAVE, SOURCE, check, curve, finish, run, unit
+
+FACTOR = 3  # that estimates may be off by
+
+BEND, WEAVE = (os.path.join(SOURCE, "prm", "verification", name + ".prm") for name in ("a3_bend_45", "k3_plain_weave_4x4"))
+# Where places are at the start; other columns begin at zero.
+BEGUN = {"tip_x[mm]": 100 * math.sin(math.pi / 4), "tip_y[mm]": 100 - 100 * math.cos(math.pi / 4)}
+
+TIGHT = ["Solver/Contact tolerance=1e-5"]
+FABRIC = ["Fabric/Warp/Elements per fiber=12", "Contact/Stations per element=1", "Solver/Contact tolerance=0.002"]
+
+# scene, settings, part of the estimate, settings of the run to compare with
+CASES = [
+    ("bend_8_elements", BEND, [], "mesh", ["Fibers/Elements per fiber=64"]),
+    ("bend_4_elements", BEND, ["Fibers/Elements per fiber=4"], "mesh", ["Fibers/Elements per fiber=64"]),
+    ("weave", WEAVE, [], "mesh", ["Fibers/Elements per fiber=64"]),
+    ("weave", WEAVE, [], "penetration", ["Contact/Largest penetration=0.00125"]),
+    ("weave_4_percent", WEAVE, ["Contact/Largest penetration=0.04"], "penetration", ["Contact/Largest penetration=0.00125"]),
+    ("weave_8_elements", WEAVE, ["Fibers/Elements per fiber=8"], "mesh", ["Fibers/Elements per fiber=64"]),
+    ("fabric", SMALL_WEAVE, FABRIC, "mesh", ["Fabric/Warp/Elements per fiber=36", "Contact/Stations per element=0.34"]),
+    ("fabric", SMALL_WEAVE, FABRIC, "stations", ["Contact/Stations per element=4"]),
+    ("fabric", SMALL_WEAVE, FABRIC, "penetration", ["Contact/Largest penetration=0.004"]),
+]
+QUIET = ["Output/Pictures=false", "Output/Slices=none", "Output/Fields every=0"]
+
+
+def final(name, scene, *settings, ranks=1):
+    """Last row of the curve and its estimate."""
+    process = run(scene, name, *TIGHT, *QUIET, *settings, ranks=ranks)
+    check(f"{name}: status {process.returncode} {process.stderr}", process.returncode == 0)
+    with open(os.path.join(name, "summary.json")) as file:
+        return curve(name)[-1], json.load(file)["stages"][-1]["estimated_error"]
+
+
+def change(row, other):
+    """Largest over the columns, over the largest value of that unit."""
+    scale = {}
+    columns = [name for name in row if "[" in name]
+    for name in columns:
+        scale[unit(name)] = max(scale.get(unit(name), 0), abs(row[name] - BEGUN.get(name, 0)))
+    return max(abs(row[name] - other[name]) / scale[unit(name)] for name in columns if scale[unit(name)] > 0)
+
+
+def main():
+    done = {}
+    for name, scene, settings, part, finer in CASES:
+        if name not in done:
+            done[name] = final(name, scene, *settings)
+        row, estimate = done[name]
+        reference, _ = final(f"{name}_{part}_reference", scene, *settings, *finer, "Solver/Error estimate=false")
+        true, found = change(row, reference), estimate[part]
+        check(f"{name}: error by {part} {true:.2e}, estimate {found}",
+              found is not None and true / FACTOR < found < true * FACTOR)
+    _, alone = final("alone", WEAVE)
+    _, shared = final("shared", WEAVE, ranks=2)
+    check(f"two ranks: {shared}, one: {alone}",
+          all(abs(shared[part] - alone[part]) <= 1e-3 * alone[part] + 1e-8 for part in alone))
+    _, off = final("off", WEAVE, "Solver/Error estimate=false")
+    check("not asked for: none", all(value is None for value in off.values()))
+    finish()
+
+
+sys.exit(main())
