@@ -5,7 +5,7 @@
 
 from scenes import CONTACT, ELEMENTS, PENETRATION, STATIONS, error
 
-ASKED = (10, 5, 2, 1, .5)
+ASKED = (10, 2, .5)
 
 # scene: columns of its loading curve
 SCENES = {
