@@ -114,7 +114,15 @@ check_automatic_values(std::ostream &output)
   std::ofstream("automatic.prm") << "subsection Fabric\nsubsection Fill\n"
                                     "set Tows = 2\nset Tow spacing = .5\n"
                                     "end\nend\n";
-  for (const std::string accuracy : {"draft", "standard", "fine"})
+  for (const std::string accuracy : {"draft",
+                                     "standard",
+                                     "fine",
+                                     "10 %",
+                                     "2%",
+                                     ".5 %",
+                                     "20 %",
+                                     "1 %",
+                                     "0.2 %"})
     {
       const Parameters p = read("automatic.prm", {"Accuracy=" + accuracy});
       output << accuracy << ": elements " << p.fabric.warp.elements_per_fiber

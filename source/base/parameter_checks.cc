@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/base/accuracy.h>
 #include <fiberloom/base/exceptions.h>
 #include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
@@ -37,16 +38,6 @@ namespace fiberloom
       if (tows.elements_per_fiber == 0)
         tows.elements_per_fiber =
           std::lround(std::clamp(elements_per_crossing * crossings, 4., 1e9));
-    }
-
-    template <class T>
-    T
-    by_accuracy(const std::string &accuracy,
-                const T            draft,
-                const T            standard,
-                const T            fine)
-    {
-      return accuracy == "draft" ? draft : accuracy == "fine" ? fine : standard;
     }
 
     template <class T>
@@ -352,18 +343,18 @@ namespace fiberloom
   void
   Parameters::resolve()
   {
-    const double elements = by_accuracy(accuracy, 4., 6., 10.);
-    resolve_tows(fabric.warp, fabric.fill, elements);
-    resolve_tows(fabric.fill, fabric.warp, elements);
-    replace_zero(fibers.elements_per_fiber,
-                 by_accuracy(accuracy, 8u, 16u, 32u));
-
-    replace_zero(contact.largest_penetration,
-                 by_accuracy(accuracy, .02, .02, .01));
-    replace_zero(contact.stations_per_element,
-                 by_accuracy(accuracy, 1., 2., 4.));
-    replace_zero(solver.contact_tolerance,
-                 by_accuracy(accuracy, 2e-2, 1e-2, 1e-3));
+    const std::optional<double> percent = error_in_percent(accuracy);
+    if (!percent)
+      throw InputError(where("Accuracy") + " = " + accuracy +
+                       " is not allowed; allowed: " + allowed_accuracies);
+    const AccuracySettings settings = settings_for(*percent);
+    resolve_tows(fabric.warp, fabric.fill, settings.elements_per_crossing);
+    resolve_tows(fabric.fill, fabric.warp, settings.elements_per_crossing);
+    if (fibers.elements_per_fiber == 0)
+      fibers.elements_per_fiber = std::lround(settings.elements_per_fiber);
+    replace_zero(contact.largest_penetration, settings.largest_penetration);
+    replace_zero(contact.stations_per_element, settings.stations_per_element);
+    replace_zero(solver.contact_tolerance, settings.contact_tolerance);
     // absolute, so that the values in force repeat the run from anywhere
     if (!fibers.file.empty())
       fibers.file = std::filesystem::absolute(

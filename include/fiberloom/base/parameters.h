@@ -252,8 +252,8 @@ namespace fiberloom
 
     std::string              output_directory = "output";
     std::vector<std::string> stages           = {"weave", "relax", "biaxial"};
-    std::string              accuracy = "standard"; // draft | standard | fine
-    double                   maximal_wall_time = 0; // [s], 0: unlimited
+    std::string accuracy = "standard"; // draft | standard | fine | "2 %"
+    double      maximal_wall_time = 0; // [s], 0: unlimited
 
     // "fibers" when section Fibers has a source, "fabric" otherwise
     FabricParameters             fabric;

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_base_accuracy_h
+#define fiberloom_base_accuracy_h
+
+#include <optional>
+#include <string>
+
+namespace fiberloom
+{
+  /** Automatic values that go with an error of loading curves. */
+  struct AccuracySettings
+  {
+    double elements_per_crossing; // of tows
+    double elements_per_fiber;    // of fibers that form no fabric
+    double largest_penetration;   // over the radius
+    double stations_per_element;
+    double contact_tolerance; // over the largest contact force
+  };
+
+  /** What the entry Accuracy may be, in words. */
+  extern const std::string allowed_accuracies;
+
+  /**
+   * The error in per cent that @p accuracy asks for: "draft", "standard",
+   * "fine", or a number with the sign, such as "2 %". Nothing for another text
+   * or a number that is out of bounds.
+   */
+  std::optional<double>
+  error_in_percent(const std::string &accuracy);
+
+  /**
+   * The settings for an error between those of the table, whose rows were
+   * measured (doc/accuracy.md): by straight lines between the logarithms.
+   */
+  AccuracySettings
+  settings_for(const double percent);
+} // namespace fiberloom
+
+#endif

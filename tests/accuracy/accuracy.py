@@ -1,0 +1,273 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+
+"""Measures what accuracy costs.
+
+    accuracy.py PROGRAM [--work DIRECTORY] [--write FILE] [--keep] [SCENE ...]
+    accuracy.py PROGRAM --levels [--work DIRECTORY] [SCENE ...]
+
+On the scenes of scenes.py each knob is turned alone, the others at their base value, some
+are turned together, and draft, standard and fine are run. For each run it prints the error
+against the reference of the scene, how far the numbers are from those with the finest value
+of the same knob, CPU seconds of the process and Newton iterations. The scene `unseen` runs the
+ten of unseen.py with an error asked for in per cent.
+
+--write puts tables into the blocks of a document that are marked for them, pictures into
+pictures/accuracy/ beside it, and what finest runs gave into references.json here. --keep takes
+runs from the work directory that were made by the same version with the same values in force.
+--levels only holds the levels to their errors by references.json; status 1 if one falls short.
+"""
+
+import argparse
+import hashlib
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [HERE, os.path.join(HERE, "..", "verification")]
+
+import unseen
+from plot import front, picture
+from scenes import LEVELS, SCENES, error
+from verify import Result, cpu_of_children
+
+PRM = os.path.join(HERE, "..", "..", "prm")
+REFERENCES = os.path.join(HERE, "references.json")
+QUIET = ("Output/Pictures=false", "Output/Fields every=0", "Output/Slices=none", "Output/Checkpoint every=1000")
+LIMIT = 1800  # seconds of a run
+LEAST = 1e-6  # an error below it is shown as this one
+
+
+class Runs:
+    """Runs of the program, each done once."""
+
+    def __init__(self, program, work, keep):
+        self.program, self.work, self.keep, self.done = program, work, keep, {}
+        self.version = self.ask("--version")
+
+    def ask(self, *words):
+        done = subprocess.run([self.program, *words], capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(f"{' '.join(words)}: status {done.returncode}: {done.stderr.strip()}")
+        return done.stdout
+
+    def key(self, words):
+        """Of a run: its words, or the values in force and the version where earlier runs are looked for."""
+        if not self.keep:
+            return "".join(words)
+        in_force = self.ask("--print-parameters", *words).splitlines()
+        return self.version + "\n".join(line for line in in_force if not line.startswith("set Accuracy "))
+
+    def __call__(self, file, settings):
+        if isinstance(settings, dict):
+            settings = [f"{entry}={value}" for entry, value in settings.items()]
+        words = [os.path.join(PRM, file + ".prm")]
+        for setting in QUIET + tuple(settings):
+            words += ["--set", setting]
+        key = hashlib.sha256(self.key(words).encode()).hexdigest()[:16]
+        if key not in self.done:
+            self.done[key] = self.kept(key) or self.run(words, key)
+        return self.done[key]
+
+    def kept(self, key):
+        note = os.path.join(self.work, key, "cpu_seconds")
+        if not self.keep or not os.path.exists(note):
+            return None
+        with open(note) as text:
+            return Result(os.path.dirname(note), float(text.read()))
+
+    def run(self, words, key):
+        directory = os.path.join(self.work, key)
+        shutil.rmtree(directory, ignore_errors=True)
+        words = [self.program, *words, "--output-directory", directory]
+        before = cpu_of_children()
+        done = subprocess.run(words, capture_output=True, text=True, timeout=LIMIT)
+        if done.returncode != 0:
+            sys.exit(f"{' '.join(words)}: status {done.returncode}: {done.stderr.strip()}")
+        result = Result(directory, cpu_of_children() - before)
+        with open(os.path.join(directory, "cpu_seconds"), "w") as note:
+            note.write(f"{result.cpu_seconds}")
+        return result
+
+
+class Point:
+    """One run of the study."""
+
+    def __init__(self, knob, value, result, rows, reference):
+        self.knob, self.value, self.rows = knob, value, rows
+        self.error = error(rows, reference)
+        self.seconds, self.iterations = result.cpu_seconds, result.newton_iterations
+        self.change = None
+
+    def place(self):
+        return self.seconds, max(self.error, LEAST)
+
+
+def percent(value):
+    return f"{100 * value:.2g} %" if value >= LEAST else f"< {100 * LEAST:g} %"
+
+
+def short(entry):
+    return entry.split("/")[-1] if entry != "Solver/Linear solver" else "Factor precision"
+
+
+def level_settings(scene, level):
+    return [f"Accuracy={level}"] + list(scene.levels)
+
+
+def combinations(grid):
+    """All settings of a grid, as dictionaries."""
+    chosen = [{}]
+    for entry, values in grid:
+        chosen = [{**settings, entry: value} for settings in chosen for value in values]
+    return chosen
+
+
+def measure(scene, run):
+    """Reference and all points of a scene."""
+    points = []
+    reference = scene.exact or scene.curve(run(scene.file, {**scene.base, **scene.finest}))
+
+    def add(knob, value, settings):
+        result = run(scene.file, settings)
+        points.append(Point(knob, value, result, scene.curve(result), reference))
+        point = points[-1]
+        print(f"{knob} | {value} | {percent(point.error)} | {point.seconds:.2f} s | {point.iterations}", flush=True)
+        return point
+
+    for level in LEVELS:
+        add("levels", level, level_settings(scene, level))
+    for entry, values in scene.knobs.items():
+        line = [add(short(entry), f"{value}", {**scene.base, entry: value}) for value in values]
+        for point in line:
+            point.change = error(point.rows, line[-1].rows)
+    for settings in combinations(scene.grid) if scene.grid else ():
+        add("together", ", ".join(f"{short(entry)} {value}" for entry, value in settings.items()),
+            {**scene.base, **settings})
+    return reference, points
+
+
+def table(header, rows):
+    return "\n".join("| " + " | ".join(row) + " |" for row in [header, ["---"] * len(header)] + rows)
+
+
+def describe(name, scene, points):
+    best = set(front([point.place() for point in points]))
+    rows = [[point.knob, point.value, percent(point.error), "" if point.change is None else percent(point.change),
+             f"{point.seconds:.2f}", str(point.iterations), "yes" if point.place() in best else ""] for point in points]
+    base = ", ".join(f"{short(entry)} {value}" for entry, value in scene.base.items())
+    text = f"{scene.about} Base: {base}."
+    if scene.finest:
+        text += " Finest: " + ", ".join(f"{short(entry)} {value}" for entry, value in scene.finest.items()) + "."
+    return "\n\n".join([text, f"![Errors over CPU seconds](pictures/accuracy/{name}.svg)",
+                        table(["knob", "value", "error", "change to its finest", "CPU s", "Newton iterations", "front"],
+                              rows)])
+
+
+def replace_block(file, name, text):
+    with open(file) as document:
+        old = document.read()
+    begin, end = f"<!-- {name}: by ./loom accuracy -->", f"<!-- end of {name} -->"
+    if begin not in old or end not in old:
+        sys.exit(f"{file} has no lines {begin} and {end}")
+    new = old.split(begin)[0] + begin + "\n\n" + text + "\n\n" + end + old.split(end, 1)[1]
+    with open(file + ".new", "w") as document:
+        document.write(new)
+    os.replace(file + ".new", file)
+
+
+def read_references():
+    if not os.path.exists(REFERENCES):
+        return {}
+    with open(REFERENCES) as file:
+        return json.load(file)
+
+
+def write_reference(name, scene, rows):
+    references = read_references()
+    references[name] = {"scene": f"prm/{scene.file}.prm",
+                        "settings": [f"{entry}={value}" for entry, value in {**scene.base, **scene.finest}.items()],
+                        "rows": rows}
+    with open(REFERENCES, "w") as file:
+        json.dump(references, file, indent=1)
+        file.write("\n")
+
+
+def study(name, run, document):
+    scene = SCENES[name]
+    reference, points = measure(scene, run)
+    if not document:
+        return
+    if scene.finest:
+        write_reference(name, scene, reference)
+    replace_block(document, name, describe(name, scene, points))
+    series = {}
+    for point in points:
+        series.setdefault(point.knob, []).append(point.place())
+    pictures = os.path.join(os.path.dirname(os.path.abspath(document)), "pictures", "accuracy")
+    os.makedirs(pictures, exist_ok=True)
+    with open(os.path.join(pictures, name + ".svg"), "w") as file:
+        file.write(picture(re.split("[.:]", scene.about)[0].replace("`", ""), series))
+    levels = [[name] + [f"{percent(point.error)}, {point.seconds:.2f} s, {point.iterations}"
+                        for point in points if point.knob == "levels"]]
+    with open(document) as text:
+        rows = [line for line in text.read().split("<!-- end of levels -->")[0].splitlines()
+                if re.match(r"\| (%s) \|" % "|".join(set(SCENES) - {name}), line)]
+    rows = [line.strip("| ").split(" | ") for line in rows] + levels
+    rows.sort(key=lambda row: list(SCENES).index(row[0]))
+    replace_block(document, "levels", table(["scene", "draft (10 %)", "standard (2 %)", "fine (0.5 %)"], rows))
+
+
+def hold_levels(names, run):
+    """Number of levels that miss their error."""
+    missed = 0
+    references = read_references()
+    for name in names:
+        scene = SCENES[name]
+        against = [("closed form", rows) for rows in (scene.exact, scene.held) if rows]
+        if scene.finest:
+            against.append(("finest run", references[name]["rows"]))
+        for level, bound in LEVELS.items():
+            result = run(scene.file, level_settings(scene, level))
+            for what, rows in against:
+                found = error(scene.curve(result), rows)
+                missed += not found <= bound
+                print(f"{name}, {level}, against the {what}: {percent(found)}, allowed {percent(bound)}, "
+                      f"{result.cpu_seconds:.2f} s, {result.newton_iterations} iterations: "
+                      f"{'ok' if found <= bound else 'MISSED'}", flush=True)
+    return missed
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("scenes", nargs="*", help=f"{', '.join(SCENES)}, unseen; all if none is named")
+    parser.add_argument("--work", default="accuracy")
+    parser.add_argument("--write")
+    parser.add_argument("--keep", action="store_true")
+    parser.add_argument("--levels", action="store_true")
+    arguments = parser.parse_intermixed_args()
+    names = arguments.scenes or list(SCENES) + ([] if arguments.levels else ["unseen"])
+    unknown = set(names) - set(SCENES) - {"unseen"}
+    if unknown:
+        parser.error(f"no scene {', '.join(sorted(unknown))}; allowed: {', '.join(SCENES)}, unseen")
+    os.makedirs(arguments.work, exist_ok=True)
+    run = Runs(arguments.program, arguments.work, arguments.keep)
+    if arguments.levels:
+        sys.exit(hold_levels([name for name in names if name in SCENES], run) > 0)
+    for name in names:
+        print(f"== {name}", flush=True)
+        if name == "unseen":
+            text = unseen.judge(run, percent, table)
+            if arguments.write:
+                replace_block(arguments.write, "unseen", text)
+        else:
+            study(name, run, arguments.write)
+
+
+if __name__ == "__main__":
+    main()
