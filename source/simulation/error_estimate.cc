@@ -67,17 +67,14 @@ namespace fiberloom
         , refinement(refinement)
       {}
 
-      /** Adds the displacement; dofs of a matrix are as they were. */
+      /** Adds the displacement. */
       DofVector
       dofs(const DofVector &q) const
       {
         if (q.size() == 0)
           return q;
-        const Eigen::Index n_coarse  = coarse.reference().size(),
-                           n_fine    = fine.reference().size();
-        const DofVector displacement = q.head(n_coarse) - coarse.reference();
-        DofVector       result(n_fine + q.size() - n_coarse);
-        result.tail(q.size() - n_coarse) = q.tail(q.size() - n_coarse);
+        const DofVector displacement = q - coarse.reference();
+        DofVector       result(fine.reference().size());
         for (unsigned int f = 0; f < fine.lines().size(); ++f)
           for (unsigned int k = 0; k < fine.lines()[f].n_nodes(); ++k)
             {
@@ -99,14 +96,6 @@ namespace fiberloom
       {
         for (DofVector *q : {&state.q, &state.stage_start_q, &state.previous_q})
           *q = dofs(*q);
-        for (Junction &junction : state.matrix.junctions)
-          {
-            const unsigned int fiber =
-              coarse.fiber_of_element(junction.point.element);
-            junction.point = fine.locate(fiber,
-                                         refinement.elements *
-                                           coarse.parameter(junction.point));
-          }
         for (ContactZone &zone : state.contact.zones)
           {
             for (auto &range : zone.range)
@@ -164,14 +153,10 @@ namespace fiberloom
       const State      start = transfer(before);
       State            state = transfer(found);
       state.contact.history  = start.contact.history;
-      std::unique_ptr<Composite> composite;
-      if (!state.matrix.is_empty())
-        composite = std::make_unique<Composite>(state.matrix, mesh);
-
       const auto stage =
-        create_stage(name, {parameters, fibers, mesh, composite.get()});
+        create_stage(name, {parameters, fibers, mesh, nullptr});
       const Supports   supports = stage->supports(state.stage_start_q);
-      System           system(mesh, supports, comm, composite.get());
+      System           system(mesh, supports, comm);
       StageStatistics  statistics;
       ContactGenerator generator(fibers, mesh, parameters.contact);
       Equilibrium      equilibrium(mesh,
@@ -279,7 +264,8 @@ namespace fiberloom
                  const State       &found,
                  const MPI_Comm     comm)
   {
-    if (!has_forces(create_stage(name, scene)
+    if (!found.matrix.is_empty() ||
+        !has_forces(create_stage(name, scene)
                       ->curve(found,
                               std::vector<BodyVector>(found.placements.size(),
                                                       BodyVector::Zero()))))

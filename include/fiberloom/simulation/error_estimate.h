@@ -19,7 +19,8 @@ namespace fiberloom
    * end of its last increment, which led from @p before to @p found . From the
    * state found, a few iterations are done with elements half as long, with
    * twice the stations, or with stiffer contact; what changes in the curve is
-   * taken on to the limit. Parts that are not to be had are NaN. Collective.
+   * taken on to the limit. Parts that are not to be had, as in
+   * composites, are NaN. Collective.
    */
   ErrorEstimate
   estimate_error(const Scene       &scene,
