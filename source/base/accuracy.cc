@@ -22,9 +22,11 @@ namespace fiberloom
 
     constexpr double draft = 10, standard = 2, fine = .5;
 
+    // From there to draft nothing is coarser.
+    constexpr double loosest = 20;
+
     // From the largest error to the smallest.
-    const std::array<Row, 5> table = {{{20, {4, 8, .02, 1, 2e-2}},
-                                       {draft, {4, 8, .02, 1, 2e-2}},
+    const std::array<Row, 4> table = {{{draft, {4, 8, .02, 1, 2e-2}},
                                        {standard, {6, 16, .02, 2, 1e-2}},
                                        {fine, {10, 32, .01, 4, 1e-3}},
                                        {.2, {12, 48, .005, 4, 5e-4}}}};
@@ -56,7 +58,7 @@ namespace fiberloom
     double            percent;
     const auto        read = std::from_chars(text.data(), end, percent);
     if (read.ec != std::errc() || read.ptr != end ||
-        !(percent >= table.back().percent && percent <= table.front().percent))
+        !(percent >= table.back().percent && percent <= loosest))
       return {};
     return percent;
   }
@@ -71,7 +73,7 @@ namespace fiberloom
                                       });
     const Row   &fine     = *tighter;
     const Row   &rough    = *(tighter - 1);
-    const double fraction = std::log(percent / rough.percent) /
+    const double fraction = std::log(std::min(percent, draft) / rough.percent) /
                             std::log(fine.percent / rough.percent);
     const auto mean = [&](double AccuracySettings::*setting) {
       return between(rough.settings.*setting, fine.settings.*setting, fraction);

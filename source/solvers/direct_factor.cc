@@ -301,9 +301,8 @@ namespace fiberloom
       auto needed = couplings_in(matrix, part, entries);
       if (covers(comm, couplings, needed) && is_lean(comm, couplings, needed))
         return;
-      const bool is_first = couplings.empty();
-      if (auto both = merged(is_first ? needed : couplings, needed);
-          is_lean(comm, both, needed))
+      couplings.resize(needed.size());
+      if (auto both = merged(couplings, needed); is_lean(comm, both, needed))
         couplings = std::move(both);
       else
         couplings = std::move(needed);

@@ -31,8 +31,10 @@ namespace fiberloom
   error_in_percent(const std::string &accuracy);
 
   /**
-   * The settings for an error between those of the table, whose rows were
-   * measured (doc/accuracy.md): by straight lines between the logarithms.
+   * The settings for an error between those of the table: by straight lines
+   * between the logarithms. doc/accuracy.md has what was measured of its rows
+   * for 10, 2 and 0.5 %; nothing is coarser than the first, and the one for 0.2
+   * % goes on from them.
    */
   AccuracySettings
   settings_for(const double percent);

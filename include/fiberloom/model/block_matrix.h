@@ -82,8 +82,7 @@ namespace fiberloom
       return data.data() + offsets[local_row][index];
     }
 
-    /** Grows with each new pattern: tells solvers that their analysis is
-     * stale. */
+    /** Number of patterns so far. */
     unsigned int
     pattern_version() const
     {

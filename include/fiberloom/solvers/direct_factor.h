@@ -38,7 +38,7 @@ namespace fiberloom
     };
 
     /** Which couplings of two blocks are factorised: open contacts leave
-     * theirs zero, and they are a third of the operations. */
+     * theirs zero. */
     enum class Entries
     {
       nonzero,
