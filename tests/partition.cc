@@ -58,6 +58,7 @@ namespace
     std::vector<double> solution;
     LinearSolver(system, "double factor")
       .solve(system.matrix(),
+             model.state.q,
              system.right_hand_side(),
              std::vector<double>(system.layout().n_blocks(), 0.),
              1e-3 * system.stiffness_scale(),

@@ -538,13 +538,13 @@ namespace fiberloom
         solver.linear_solver,
         "What preconditions the Krylov method: a factor of the "
         "tangent in double precision, in single precision (half "
-        "the memory), blocks, in a composite a factor of the "
-        "fibers and one of the matrix, or multigrid for what has "
-        "no room for a "
-        "factor. automatic: a factor, from 20,000 dofs on in "
-        "single precision.",
+        "the memory), rigid sections, a factor of their motions in single "
+        "precision (a quarter), blocks, in a composite a factor of the fibers "
+        "and one of the matrix, or multigrid for what has no room for a "
+        "factor. automatic: a double factor, from 20,000 dofs on rigid "
+        "sections.",
         Allowed::one_of(
-          "automatic|double factor|single factor|blocks|multigrid"));
+          "automatic|double factor|single factor|rigid sections|blocks|multigrid"));
       catalogue.add("Benchmark",
                     solver.benchmark,
                     "Times one symmetric factorisation in double precision per "

@@ -49,15 +49,10 @@ namespace fiberloom
                            const MPI_Comm         communicator)
     : comm(communicator)
     , n_all_nodes(mesh.n_nodes() + matrix_nodes.size() / 3)
-    , first_dofs(1, 0)
     , owners(n_all_nodes + n_bodies)
-    , local_blocks(n_all_nodes + n_bodies, -1)
   {
     const unsigned int n_ranks =
       dealii::Utilities::MPI::n_mpi_processes(communicator);
-    const unsigned int rank =
-      dealii::Utilities::MPI::this_mpi_process(communicator);
-
     if (n_ranks > 1)
       {
         const auto order = nodes_along_curve(mesh, matrix_nodes);
@@ -67,11 +62,34 @@ namespace fiberloom
     for (unsigned int b = 0; b < n_bodies; ++b)
       owners[n_all_nodes + b] = b % n_ranks;
 
-    for (unsigned int block = 0; block < owners.size(); ++block)
-      first_dofs.push_back(first_dofs.back() + (block < mesh.n_nodes() ? 9 :
-                                                block < n_all_nodes    ? 3 :
-                                                                         6));
+    std::vector<unsigned int> sizes(owners.size(), 6);
+    std::fill_n(sizes.begin(), n_all_nodes, 3);
+    std::fill_n(sizes.begin(), mesh.n_nodes(), 9);
+    number(sizes);
+  }
 
+
+
+  BlockLayout::BlockLayout(const BlockLayout               &other,
+                           const std::vector<unsigned int> &sizes)
+    : comm(other.comm)
+    , n_all_nodes(other.n_all_nodes)
+    , owners(other.owners)
+  {
+    number(sizes);
+  }
+
+
+
+  void
+  BlockLayout::number(const std::vector<unsigned int> &sizes)
+  {
+    const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(comm);
+    first_dofs.assign(1, 0);
+    for (const unsigned int size : sizes)
+      first_dofs.push_back(first_dofs.back() + size);
+
+    local_blocks.assign(owners.size(), -1);
     owned_dof_set.set_size(n_dofs());
     unsigned int local_dof = 0;
     for (unsigned int block = 0; block < owners.size(); ++block)

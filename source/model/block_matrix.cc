@@ -9,6 +9,7 @@
 #include <Epetra_MultiVector.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace fiberloom
 {
@@ -142,6 +143,14 @@ namespace fiberloom
 
   double *
   BlockMatrix::block(const unsigned int row, const unsigned int column)
+  {
+    return const_cast<double *>(std::as_const(*this).block(row, column));
+  }
+
+
+
+  const double *
+  BlockMatrix::block(const unsigned int row, const unsigned int column) const
   {
     const unsigned int local_row = numbering.local_block(row);
     const auto        &columns   = column_blocks[local_row];

@@ -309,6 +309,7 @@ namespace fiberloom
       ScopedTimer timer(statistics.seconds.linear_solver);
       outcome = linear_solver.solve(
         system.matrix(),
+        state.q,
         system.right_hand_side(),
         damping.of_blocks(system.layout().n_blocks(), system.stiffness_scale()),
         std::max(shift_over_Er, shift_over_damping * damping.over_Er()) *

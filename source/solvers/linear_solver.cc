@@ -29,16 +29,6 @@ namespace fiberloom
     // Beyond so many it may be rounding that makes pivots negative.
     constexpr unsigned int largest_single_shifts = 3;
 
-    DirectFactor::Precision
-    choose_precision(const std::string &name, const unsigned int n_dofs)
-    {
-      const bool in_double =
-        name == "double factor" || ((name == "automatic" || name == "blocks") &&
-                                    n_dofs < single_precision_from);
-      return in_double ? DirectFactor::Precision::double_precision :
-                         DirectFactor::Precision::single_precision;
-    }
-
     class FactorPreconditioner : public Preconditioner
     {
     public:
@@ -66,28 +56,51 @@ namespace fiberloom
 
 
   LinearSolver::LinearSolver(const System &system, const std::string &name)
-    : communicator(system.layout().communicator())
+    : system(system)
+    , name(name)
     , multigrid(name == "multigrid" ?
                   std::make_unique<Multigrid>(system.rigid_modes()) :
                   nullptr)
   {
-    use(choose_precision(name, system.layout().n_dofs()));
+    use_preferred();
     if (name == "blocks")
-      blocks = std::make_unique<BlockPreconditioner>(communicator, precision);
+      blocks =
+        std::make_unique<BlockPreconditioner>(system.layout().communicator(),
+                                              precision);
+  }
+
+
+
+  void
+  LinearSolver::use_preferred()
+  {
+    const bool is_small = system.layout().n_dofs() < single_precision_from;
+    precision           = name == "double factor" ||
+                    (is_small && (name == "automatic" || name == "blocks")) ?
+                            DirectFactor::Precision::double_precision :
+                            DirectFactor::Precision::single_precision;
+    if (name == "rigid sections" || (!is_small && name == "automatic"))
+      sections = std::make_unique<SectionPreconditioner>(system, precision);
+    else
+      use(precision);
+    gave_way = false;
   }
 
 
 
   namespace
   {
-    /** Adds to @p outcome ; whether the true residual has become small. */
+    /** Adds to @p outcome ; whether the true residual has become small. A
+     * preconditioner that is exact but for rounding is tried by itself first.
+     */
     bool
     iterate(BlockMatrix           &matrix,
             Epetra_Operator       &preconditioner,
             Epetra_Vector         &b,
             Epetra_Vector         &x,
             const double           relative_tolerance,
-            LinearSolver::Outcome &outcome)
+            LinearSolver::Outcome &outcome,
+            const bool             is_exact = true)
     {
       ScopedTimer timer(outcome.krylov);
       double      norm;
@@ -98,7 +111,7 @@ namespace fiberloom
 
       // Around a factor of the same matrix one correction is mostly enough.
       Epetra_Vector residual(b), product(b.Map()), correction(b.Map());
-      for (double before = norm, after = 0;; before = after)
+      for (double before = norm, after = 0; is_exact; before = after)
         {
           preconditioner.ApplyInverse(residual, correction);
           matrix.Apply(correction, product);
@@ -155,6 +168,7 @@ namespace fiberloom
 
   LinearSolver::Outcome
   LinearSolver::solve(BlockMatrix               &matrix,
+                      const Eigen::VectorXd     &q,
                       const std::vector<double> &right_hand_side,
                       const std::vector<double> &damping,
                       const double               shift_unit,
@@ -176,19 +190,71 @@ namespace fiberloom
     if (blocks && solve_by_blocks(matrix, b, x, outcome))
       return outcome;
 
+    // From then on: what made it too coarse will be there again.
+    const auto give_way_to = [&](const DirectFactor::Precision chosen) {
+      use(chosen);
+      gave_way = true;
+      matrix.add_to_diagonal(-outcome.shift);
+      outcome.shift = 0;
+    };
+    if (sections)
+      {
+        if (solve_by_sections(
+              matrix, q, b, shift_unit, x, may_be_indefinite, outcome))
+          return outcome;
+        give_way_to(precision);
+      }
     const auto solve_by_current_factor = [&]() {
       return solve_by_factor(
         matrix, b, shift_unit, x, may_be_indefinite, outcome);
     };
     if (!solve_by_current_factor())
       {
-        // From now on: what made it too coarse will be there again.
-        use(DirectFactor::Precision::double_precision);
-        matrix.add_to_diagonal(-outcome.shift);
-        outcome.shift = 0;
+        give_way_to(DirectFactor::Precision::double_precision);
         solve_by_current_factor();
       }
     return outcome;
+  }
+
+
+
+  bool
+  LinearSolver::solve_by_sections(BlockMatrix           &matrix,
+                                  const Eigen::VectorXd &q,
+                                  Epetra_Vector         &b,
+                                  const double           shift_unit,
+                                  Epetra_Vector         &x,
+                                  const bool             may_be_indefinite,
+                                  Outcome               &outcome)
+  {
+    {
+      ScopedTimer timer(outcome.analysis);
+      sections->analyse(matrix, q);
+    }
+    for (unsigned int attempt = 0; attempt <= largest_single_shifts; ++attempt)
+      {
+        if (attempt > 0)
+          shift_more(matrix, attempt, shift_unit, outcome);
+        ++outcome.factorizations;
+        int negative_pivots;
+        {
+          ScopedTimer timer(outcome.factorization);
+          negative_pivots = sections->factorize(matrix);
+        }
+        if (attempt == 0)
+          outcome.negative_pivots = negative_pivots;
+        if (negative_pivots < 0 || (negative_pivots > 0 && !may_be_indefinite))
+          continue;
+        if (!iterate(
+              matrix, *sections, b, x, relative_tolerance, outcome, false))
+          return false;
+        // Motions and strains may both be definite where the whole is not.
+        double slope;
+        x.Dot(b, &slope);
+        if (slope >= 0 || may_be_indefinite)
+          return true;
+      }
+    return false;
   }
 
 
@@ -233,9 +299,11 @@ namespace fiberloom
   void
   LinearSolver::use(const DirectFactor::Precision chosen)
   {
-    factor.reset(); // first, for its memory
+    sections.reset(); // first, for the memory
+    factor.reset();
     precision = chosen;
-    factor    = std::make_unique<DirectFactor>(communicator, chosen);
+    factor =
+      std::make_unique<DirectFactor>(system.layout().communicator(), chosen);
   }
 
 
@@ -301,7 +369,15 @@ namespace fiberloom
   void
   LinearSolver::forget()
   {
-    factor->forget();
+    if (gave_way)
+      {
+        factor.reset();
+        use_preferred();
+      }
+    if (factor)
+      factor->forget();
+    if (sections)
+      sections->forget();
     if (blocks)
       blocks->forget();
   }

@@ -31,6 +31,10 @@ namespace fiberloom
                 const unsigned int     n_bodies,
                 const MPI_Comm         communicator);
 
+    /** As @p other , with blocks of these sizes. */
+    BlockLayout(const BlockLayout               &other,
+                const std::vector<unsigned int> &sizes);
+
     unsigned int
     n_blocks() const
     {
@@ -114,6 +118,10 @@ namespace fiberloom
     }
 
   private:
+    /** Sets all that follows from sizes and owners. */
+    void
+    number(const std::vector<unsigned int> &sizes);
+
     MPI_Comm                  comm;
     unsigned int              n_all_nodes;
     std::vector<unsigned int> first_dofs, owners, owned, local_first_dofs;

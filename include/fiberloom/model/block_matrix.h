@@ -57,6 +57,9 @@ namespace fiberloom
     double *
     block(const unsigned int row, const unsigned int column);
 
+    const double *
+    block(const unsigned int row, const unsigned int column) const;
+
     const BlockLayout &
     layout() const
     {

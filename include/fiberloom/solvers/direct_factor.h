@@ -11,6 +11,8 @@
 
 namespace fiberloom
 {
+  class RigidSections;
+
   /**
    * A distributed symmetric factorisation, of the symmetric part of a matrix,
    * by MUMPS, called directly because no
@@ -45,10 +47,13 @@ namespace fiberloom
       all
     };
 
-    DirectFactor(const MPI_Comm  comm,
-                 const Precision precision,
-                 const Part      part    = Part::all,
-                 const Entries   entries = Entries::nonzero);
+    /** Where @p sections are given, which are kept by reference, only their
+     * motions are factorised, and vectors are in their layout. */
+    DirectFactor(const MPI_Comm       comm,
+                 const Precision      precision,
+                 const Part           part     = Part::all,
+                 const Entries        entries  = Entries::nonzero,
+                 const RigidSections *sections = nullptr);
     ~DirectFactor();
 
     /**

@@ -7,6 +7,7 @@
 #include <fiberloom/solvers/block_preconditioner.h>
 #include <fiberloom/solvers/direct_factor.h>
 #include <fiberloom/solvers/multigrid.h>
+#include <fiberloom/solvers/section_preconditioner.h>
 
 #include <Epetra_Vector.h>
 
@@ -23,8 +24,11 @@ namespace fiberloom
    * indefinite matrix gets a diagonal shift that grows until it is not, so that
    * the solution is a direction of descent.
    *
-   * A factor in single precision around which the method does not converge, or
-   * that stays indefinite, gives way to one in double precision, for good.
+   * A large system has only the motions of rigid sections factorised, in single
+   * precision. Where that does not converge, the factor of the whole takes its
+   * place, and one in single precision around which the method does not
+   * converge either, or that stays indefinite, gives way to one in double
+   * precision; both until forget().
    *
    * For a composite, blocks asks for a factor of the fibers and one of the
    * matrix in place of that of both.
@@ -36,8 +40,8 @@ namespace fiberloom
   class LinearSolver
   {
   public:
-    /** @p name : automatic, double factor, single factor, blocks or multigrid.
-     */
+    /** @p name : automatic, double factor, single factor, rigid sections,
+     * blocks or multigrid. The system is kept by reference. */
     LinearSolver(const System &system, const std::string &name);
 
     struct Outcome
@@ -52,7 +56,8 @@ namespace fiberloom
     };
 
     /**
-     * @p solution : the owned part, resized. @p damping , one value for each
+     * @p q : where the fibers are. @p solution : the owned part, resized.
+     * @p damping , one value for each
      * block, is added to the diagonal of @p matrix in any case, @p shift_unit
      * is the smallest shift to be tried where that is indefinite [N/mm] unless
      * it may be. The residual is reduced to @p tolerance times the right hand
@@ -60,6 +65,7 @@ namespace fiberloom
      */
     Outcome
     solve(BlockMatrix               &matrix,
+          const Eigen::VectorXd     &q,
           const std::vector<double> &right_hand_side,
           const std::vector<double> &damping,
           const double               shift_unit,
@@ -77,8 +83,22 @@ namespace fiberloom
     time_double_factorization(const BlockMatrix &matrix);
 
   private:
+    /** What the name given asks for. */
+    void
+    use_preferred();
+
     void
     use(const DirectFactor::Precision chosen);
+
+    /** Whether that came to its end with a descent. */
+    bool
+    solve_by_sections(BlockMatrix           &matrix,
+                      const Eigen::VectorXd &q,
+                      Epetra_Vector         &b,
+                      const double           shift_unit,
+                      Epetra_Vector         &x,
+                      const bool             may_be_indefinite,
+                      Outcome               &outcome);
 
     /** Adds to @p outcome ; false where the factor is too coarse. */
     bool
@@ -104,12 +124,15 @@ namespace fiberloom
                     Epetra_Vector &x,
                     Outcome       &outcome);
 
-    MPI_Comm                             communicator;
-    double                               relative_tolerance = 0;
-    DirectFactor::Precision              precision;
-    std::unique_ptr<DirectFactor>        factor;
-    std::unique_ptr<BlockPreconditioner> blocks;    // or null
-    std::unique_ptr<Multigrid>           multigrid; // or null
+    const System                          &system;
+    const std::string                      name;
+    double                                 relative_tolerance = 0;
+    bool                                   gave_way           = false;
+    DirectFactor::Precision                precision;
+    std::unique_ptr<DirectFactor>          factor;    // or null
+    std::unique_ptr<SectionPreconditioner> sections;  // or null
+    std::unique_ptr<BlockPreconditioner>   blocks;    // or null
+    std::unique_ptr<Multigrid>             multigrid; // or null
   };
 } // namespace fiberloom
 
