@@ -286,6 +286,7 @@ namespace fiberloom
       control(data, 4)  = 0;  // silent
       control(data, 5)  = 0;  // assembled
       control(data, 7)  = 1;  // ordering given
+      control(data, 8)  = 0;  // no scaling: it changes nothing without pivoting
       control(data, 12) = 1;  // no compression of the graph
       control(data, 13) = 1;  // no parallel root: pivot signs are counted
       control(data, 14) = 40; // memory margin [%]

@@ -73,7 +73,8 @@ namespace fiberloom
                         const double      *values) const
   {
     using Eigen::Dynamic;
-    // At most nine rows and columns, so that nothing is allocated.
+    // At most nine rows and columns, so that nothing is allocated. Products as
+    // small as these are slower by the kernels for large matrices.
     using Any  = Eigen::Matrix<double, Dynamic, Dynamic, Eigen::RowMajor, 9, 9>;
     using Both = Eigen::Matrix<double, n_motions, n_motions, Eigen::RowMajor>;
 
@@ -81,9 +82,10 @@ namespace fiberloom
     if (rows && columns)
       {
         const Eigen::Matrix<double, 9, n_motions> right =
-          Eigen::Map<const Stiffness>(values) * motion_basis[column];
+          Eigen::Map<const Stiffness>(values).lazyProduct(
+            motion_basis[column]);
         Eigen::Map<Both>(reduced_block.data()).noalias() =
-          motion_basis[row].transpose() * right;
+          motion_basis[row].transpose().lazyProduct(right);
         return reduced_block.data();
       }
     if (!rows && !columns)
