@@ -53,7 +53,7 @@ namespace
       : fibers(set)
       , mesh(fibers)
       , parameters(contact_parameters(line_stiffness))
-      , generator(fibers, mesh, parameters)
+      , generator(fibers, mesh, parameters, MPI_COMM_WORLD)
       , q(mesh.reference())
     {}
 

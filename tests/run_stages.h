@@ -15,7 +15,7 @@ run_stages(const fiberloom::Parameters        &parameters,
   using namespace fiberloom;
   const FiberMesh  mesh(fibers);
   const Scene      scene{parameters, fibers, mesh};
-  ContactGenerator generator(fibers, mesh, parameters.contact);
+  ContactGenerator generator(fibers, mesh, parameters.contact, MPI_COMM_WORLD);
   Log              log(MPI_COMM_WORLD);
   State            state;
   state.q = mesh.reference();

@@ -90,7 +90,7 @@ main(int argc, char **argv)
   checks.below("starts as the arc",
                (mesh.initial() - given.initial()).norm(),
                1e-12);
-  ContactGenerator generator(fibers, mesh, parameters.contact);
+  ContactGenerator generator(fibers, mesh, parameters.contact, MPI_COMM_WORLD);
   StageStatistics  statistics;
   Log              log(MPI_COMM_WORLD);
   State            state;

@@ -5,6 +5,7 @@
 
 #include <fiberloom/fabric/superimposition.h>
 
+#include <fiberloom/contact/contact_exchange.h>
 #include <fiberloom/contact/contact_generator.h>
 #include <fiberloom/contact/contact_law.h>
 
@@ -62,10 +63,12 @@ namespace fiberloom
 
   ContactGenerator::ContactGenerator(const FiberSet          &fibers,
                                      const FiberMesh         &mesh,
-                                     const ContactParameters &parameters)
+                                     const ContactParameters &parameters,
+                                     const MPI_Comm           comm)
     : fibers(fibers)
     , mesh(mesh)
     , parameters(parameters)
+    , comm(comm)
     , search(mesh,
              parameters.search_margin * mesh.largest_radius(),
              .5 * mesh.largest_radius(),
@@ -174,21 +177,27 @@ namespace fiberloom
     add_proximity_zones(q, rule, before, state, contacts);
     if (rule.from_above)
       add_woven_crossings(q, rule, before, state, contacts);
+    update(contacts, q, q_before, rule, state);
+    gather_contacts(comm, state.zones, contacts);
 
     // Sorted by fibers, so that predecessors are found by bisection.
+    const auto comes_first = [&](const ContactZone &a, const ContactZone &b) {
+      return std::tie(a.fibers, a.range) < std::tie(b.fibers, b.range);
+    };
+    if (std::is_sorted(state.zones.begin(), state.zones.end(), comes_first))
+      return contacts;
     std::vector<unsigned int> order(state.zones.size()), rank(order.size());
     for (unsigned int z = 0; z < order.size(); ++z)
       order[z] = z;
     std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
-      return std::tie(state.zones[a].fibers, state.zones[a].range) <
-             std::tie(state.zones[b].fibers, state.zones[b].range);
+      return comes_first(state.zones[a], state.zones[b]);
     });
     std::vector<ContactZone> sorted;
     sorted.reserve(order.size());
     for (unsigned int z = 0; z < order.size(); ++z)
       {
         rank[order[z]] = z;
-        sorted.push_back(state.zones[order[z]]);
+        sorted.push_back(std::move(state.zones[order[z]]));
       }
     state.zones.swap(sorted);
     for (ContactElement &contact : contacts)
@@ -198,8 +207,6 @@ namespace fiberloom
                      [](const ContactElement &a, const ContactElement &b) {
                        return a.zone < b.zone;
                      });
-
-    update(contacts, q, q_before, rule, state);
     return contacts;
   }
 
@@ -213,9 +220,11 @@ namespace fiberloom
     ContactState                &state,
     std::vector<ContactElement> &contacts) const
   {
-    const double margin = parameters.search_margin * mesh.largest_radius();
-    for (const auto &pair : woven_pairs)
+    const double margin     = parameters.search_margin * mesh.largest_radius();
+    const auto [begin, end] = part_of_rank(comm, woven_pairs.size());
+    for (std::size_t i = begin; i < end; ++i)
       {
+        const auto   &pair = woven_pairs[i];
         ParameterPair start;
         for (unsigned int s = 0; s < 2; ++s)
           start[s] = .5 * mesh.lines()[pair[s]].n_elements;
@@ -246,9 +255,18 @@ namespace fiberloom
                                         ContactState                &state,
                                         std::vector<ContactElement> &contacts)
   {
-    const double margin = parameters.search_margin * mesh.largest_radius();
+    const double margin     = parameters.search_margin * mesh.largest_radius();
+    const auto  &candidates = search.candidates(q);
+    // A pair of fibers is not divided.
+    const auto from = [&](std::size_t i) {
+      while (i > 0 && i < candidates.size() &&
+             candidates[i].fibers == candidates[i - 1].fibers)
+        ++i;
+      return candidates.begin() + i;
+    };
+    const auto [begin, end] = part_of_rank(comm, candidates.size());
     for (const ProximityZone &proximity :
-         find_proximity_zones(mesh, q, search.candidates(q), margin))
+         find_proximity_zones(mesh, q, from(begin), from(end), margin))
       {
         const auto &pair  = proximity.fibers;
         const int   order = superimposition(fibers, pair[0], pair[1]);

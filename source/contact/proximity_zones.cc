@@ -88,10 +88,11 @@ namespace fiberloom
 
 
   std::vector<ProximityZone>
-  find_proximity_zones(const FiberMesh                  &mesh,
-                       const DofVector                  &q,
-                       const std::vector<CandidatePair> &candidates,
-                       const double                      margin)
+  find_proximity_zones(const FiberMesh        &mesh,
+                       const DofVector        &q,
+                       const CandidateIterator begin,
+                       const CandidateIterator end,
+                       const double            margin)
   {
     const auto node = [&](const unsigned int fiber, const unsigned int n) {
       return q.segment<3>(9 * (mesh.lines()[fiber].first_node + n));
@@ -99,13 +100,13 @@ namespace fiberloom
 
     std::vector<ProximityZone> zones;
     std::vector<Match>         matches;
-    for (auto pair = candidates.begin(); pair != candidates.end();)
+    for (auto pair = begin; pair != end;)
       {
         const auto   fibers = pair->fibers;
         const double reach  = mesh.lines()[fibers[0]].radius +
                              mesh.lines()[fibers[1]].radius + margin;
         matches.clear();
-        for (; pair != candidates.end() && pair->fibers == fibers; ++pair)
+        for (; pair != end && pair->fibers == fibers; ++pair)
           {
             const auto &pieces = pair->pieces;
             const auto  distance =

@@ -158,7 +158,7 @@ namespace fiberloom
       const Supports   supports = stage->supports(state.stage_start_q);
       System           system(mesh, supports, comm);
       StageStatistics  statistics;
-      ContactGenerator generator(fibers, mesh, parameters.contact);
+      ContactGenerator generator(fibers, mesh, parameters.contact, comm);
       Equilibrium      equilibrium(mesh,
                               parameters,
                               generator,

@@ -28,7 +28,7 @@ namespace fiberloom
     , comm(comm)
     , fibers(build_fiber_set(parameters))
     , mesh(fibers)
-    , generator(fibers, mesh, parameters.contact)
+    , generator(fibers, mesh, parameters.contact, comm)
     , log(comm)
   {}
 

@@ -43,18 +43,23 @@ namespace fiberloom
    * the direction from centre to centre turns when fibers slide although the
    * true normal does not. Both are one line penalty.
    * Tangents are r g1 x r g2, which is continuous over element ends.
+   *
+   * Ranks share the pairs of fibers, then exchange what they found: all have
+   * all contacts, as states are on all ranks.
    */
   class ContactGenerator
   {
   public:
     ContactGenerator(const FiberSet          &fibers,
                      const FiberMesh         &mesh,
-                     const ContactParameters &parameters);
+                     const ContactParameters &parameters,
+                     const MPI_Comm           comm);
 
     /**
-     * All contact elements at placement @p q . Zones in @p state are replaced
-     * by the ones found, which inherit from their predecessors; its history is
-     * read. @p q_before is the placement of the last accepted increment.
+     * Collective. All contact elements at placement @p q . Zones in @p state
+     * are replaced by the ones found, which inherit from their predecessors;
+     * its history is read. @p q_before is the placement of the last accepted
+     * increment.
      */
     std::vector<ContactElement>
     generate(const DofVector   &q,
@@ -104,6 +109,7 @@ namespace fiberloom
                 const ParameterPair &u,
                 const ContactState  &state) const;
 
+    /** This rank's part of these, without normals; as is the next one's. */
     void
     add_woven_crossings(const DofVector             &q,
                         const ContactRule           &rule,
@@ -190,6 +196,7 @@ namespace fiberloom
     const FiberSet          &fibers;
     const FiberMesh         &mesh;
     const ContactParameters &parameters;
+    const MPI_Comm           comm;
     ProximitySearch          search;
 
     std::vector<std::array<unsigned int, 2>> woven_pairs; // fibers that cross

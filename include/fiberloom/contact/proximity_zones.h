@@ -34,12 +34,16 @@ namespace fiberloom
     range(const unsigned int side) const;
   };
 
-  /** Zones in the order of the candidates; @p margin between surfaces [mm]. */
+  using CandidateIterator = std::vector<CandidatePair>::const_iterator;
+
+  /** Zones in the order of the candidates from @p begin to @p end ; @p margin
+   * between surfaces [mm]. */
   std::vector<ProximityZone>
-  find_proximity_zones(const FiberMesh                  &mesh,
-                       const DofVector                  &q,
-                       const std::vector<CandidatePair> &candidates,
-                       const double                      margin);
+  find_proximity_zones(const FiberMesh        &mesh,
+                       const DofVector        &q,
+                       const CandidateIterator begin,
+                       const CandidateIterator end,
+                       const double            margin);
 
   /**
    * The zone of @p zones (sorted by fibers) of the same two fibers that shares
