@@ -180,6 +180,52 @@ namespace
       }
   }
 
+  /**
+   * Two arcs that are bent around each other touch on a length, and on both
+   * sides of their mutual closest point once they are bent more than they
+   * drift apart, though they meet at an angle. Near a right one they cross.
+   */
+  void
+  check_bent_around(Checks &checks)
+  {
+    const auto arcs = [](const double cosine, const double radius) {
+      const double sine = std::sqrt(1 - cosine * cosine);
+      const auto   arc  = [&](const double side, const Vector3 &along) {
+        return curved_fiber(
+          [=](const double t) -> Vector3 {
+            const double angle = 16 / radius * (t - .5);
+            return radius * std::sin(angle) * along +
+                   side * (.97 - radius * (1 - std::cos(angle))) *
+                     Vector3::UnitZ();
+          },
+          8,
+          Vector3(-along.y(), along.x(), 0));
+      };
+      return Model({arc(1, Vector3::UnitX()), arc(-1, {cosine, sine, 0})});
+    };
+    const auto check =
+      [&](const std::string &what, Model &model, const bool crossing) {
+        model.generate();
+        checks.that(what,
+                    model.state.zones.size() == 1 &&
+                      model.state.zones[0].crossing == crossing);
+      };
+
+    // Drift over that of straight fibers: 1 - 1.94/radius/(1 - cosine).
+    Model model = arcs(.6, 15);
+    check("arcs that drift apart cross", model, true);
+    model.q = arcs(.6, 9.6).q;
+    check("they still do where half of the drift is left", model, true);
+    model.q = arcs(.6, 8).q;
+    check("with less they lie along each other", model, false);
+    model.q = arcs(.6, 9.6).q;
+    check("and still do with half of it", model, false);
+    model.q = arcs(.6, 15).q;
+    check("until they drift apart again", model, true);
+    Model nearly_square = arcs(.2, 4.3);
+    check("near a right angle they cross with less, too", nearly_square, true);
+  }
+
   /** The most stations in a cell of the only zone. */
   unsigned int
   stations_of(Model &model)
@@ -577,6 +623,7 @@ main()
   check_crossing(checks);
   check_parallel(checks);
   check_hysteresis(checks);
+  check_bent_around(checks);
   check_stations_stay(checks);
   check_ends(checks);
   check_kinks(checks);

@@ -26,6 +26,14 @@ namespace fiberloom
     // multiple of that length, crossing below the first one.
     constexpr double crossing_length = 1.5, parallel_length = 2;
 
+    // So are fibers that are bent around each other where they cross: parallel
+    // if below the first part of what straight ones drift apart is left,
+    // crossing above the second one. A mutual closest point then slides far as
+    // fibers move by little; where nothing is left, they touch on both sides
+    // of it. Near a right angle neither fiber lies along the other.
+    constexpr double parallel_drift = .45, crossing_drift = .6;
+    constexpr double least_oblique = .25; // |cos| for that
+
     // Stations over half the length on which two straight fibers overlap.
     constexpr double       stations_over_overlap = 3;
     constexpr unsigned int most_stations         = 64; // in a cell
@@ -278,18 +286,24 @@ namespace fiberloom
           mesh.section(q, mesh.locate(pair[0], u[0])).tangent();
         const Vector3 t2 =
           mesh.section(q, mesh.locate(pair[1], u[1])).tangent();
-        const double cosine = std::abs(t1.dot(t2));
-        const double length = length_over_crossing(proximity, cosine);
+        const double cosine  = std::abs(t1.dot(t2));
+        const double length  = length_over_crossing(proximity, cosine);
+        const double drift   = drift_over_crossing(pair, u, q);
+        const bool   oblique = cosine > least_oblique;
 
         ContactZone zone =
           successor(pair,
                     {{proximity.range(0), proximity.range(1)}},
                     before,
                     cosine < .5 * (parallel_above + crossing_below) &&
-                      length < .5 * (parallel_length + crossing_length));
-        if (cosine > parallel_above || length > parallel_length)
+                      length < .5 * (parallel_length + crossing_length) &&
+                      !(oblique &&
+                        drift < .5 * (parallel_drift + crossing_drift)));
+        if (cosine > parallel_above || length > parallel_length ||
+            (oblique && drift < parallel_drift))
           zone.crossing = false;
-        else if (cosine < crossing_below && length < crossing_length)
+        else if (cosine < crossing_below && length < crossing_length &&
+                 drift > crossing_drift)
           zone.crossing = true;
         state.zones.push_back(zone);
         const unsigned int index = state.zones.size() - 1;
@@ -326,6 +340,35 @@ namespace fiberloom
       crossing_spread(cosine, {{first.radius, second.radius}}) *
       std::sqrt(parameters.search_margin * mesh.largest_radius());
     return (range[1] - range[0]) * piece / (crossing + piece);
+  }
+
+
+
+  double
+  ContactGenerator::drift_over_crossing(const std::array<unsigned int, 2> &pair,
+                                        const ParameterPair               &u,
+                                        const DofVector &q) const
+  {
+    constexpr double half_piece = .25;
+    const auto       section    = [&](const unsigned int s, const double step) {
+      const double end = mesh.lines()[pair[s]].n_elements;
+      return mesh.section(q,
+                          mesh.locate(pair[s],
+                                      std::clamp(u[s] + step, 0., end)));
+    };
+    const Section first = section(0, 0), second = section(1, 0);
+    const double straight = 1 - std::abs(first.tangent().dot(second.tangent()));
+    double       bent     = 0;
+    for (unsigned int s = 0; s < 2; ++s)
+      {
+        const Section before = section(s, -half_piece),
+                      after  = section(s, half_piece);
+        const Vector3 other  = s == 0 ? Vector3(second.center - first.center) :
+                                        Vector3(first.center - second.center);
+        bent += .5 * (after.tangent() - before.tangent()).dot(other) /
+                (after.center - before.center).norm();
+      }
+    return 1 - bent / std::max(straight, 1e-15);
   }
 
 
