@@ -12,7 +12,11 @@
 #include <fiberloom/contact/contact_generator.h>
 #include <fiberloom/contact/contact_law.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
 #include <fstream>
+#include <string>
 #include <utility>
 
 #include "checks.h"
@@ -613,13 +617,60 @@ namespace
                  gap);
     checks.equal("and by distance", model.generate(standard).at(0).gap, gap);
   }
+
+  /** Ranks that share the pairs of fibers have what one finds by itself. */
+  void
+  check_sharing(Checks &checks)
+  {
+    ContactRule from_above;
+    from_above.from_above = true;
+    for (const ContactRule &rule : {standard, from_above})
+      {
+        Model             model(flat_fabric(3, 2));
+        ContactGenerator  alone(model.fibers,
+                               model.mesh,
+                               model.parameters,
+                               MPI_COMM_SELF);
+        ContactState      state;
+        const auto        shared = model.generate(rule);
+        const auto        found = alone.generate(model.q, model.q, rule, state);
+        const std::string which =
+          rule.from_above ? ", from above" : ", by distance";
+        checks.above("contacts" + which, found.size(), 10);
+        checks.equal("contacts, shared" + which,
+                     double(shared.size()) - found.size(),
+                     0);
+        checks.equal("zones, shared" + which,
+                     double(model.state.zones.size()) - state.zones.size(),
+                     0);
+        double difference = 0;
+        for (unsigned int c = 0; c < found.size(); ++c)
+          difference += (shared.at(c).normal - found[c].normal).norm() +
+                        std::abs(shared[c].gap - found[c].gap) +
+                        std::abs(model.mesh.parameter(shared[c].points[0]) -
+                                 model.mesh.parameter(found[c].points[0])) +
+                        std::abs(double(shared[c].zone) - found[c].zone);
+        for (unsigned int z = 0; z < state.zones.size(); ++z)
+          {
+            const ContactZone &a = model.state.zones.at(z), &b = state.zones[z];
+            difference += std::abs(a.stiffness - b.stiffness) +
+                          (a.fibers != b.fibers) + (a.range != b.range) +
+                          (a.crossing != b.crossing) + (a.side != b.side) +
+                          (a.divided != b.divided);
+          }
+        checks.equal("difference" + which, difference, 0);
+      }
+  }
 } // namespace
 
 int
-main()
+main(int argc, char **argv)
 {
-  std::ofstream output("output");
-  Checks        checks(output);
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  std::ofstream                            output;
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    output.open("output");
+  Checks checks(output);
   check_crossing(checks);
   check_parallel(checks);
   check_hysteresis(checks);
@@ -633,4 +684,5 @@ main()
   check_angles(checks);
   check_weaving(checks);
   check_change_of_search(checks);
+  check_sharing(checks);
 }

@@ -286,10 +286,11 @@ namespace fiberloom
           mesh.section(q, mesh.locate(pair[0], u[0])).tangent();
         const Vector3 t2 =
           mesh.section(q, mesh.locate(pair[1], u[1])).tangent();
-        const double cosine  = std::abs(t1.dot(t2));
-        const double length  = length_over_crossing(proximity, cosine);
-        const double drift   = drift_over_crossing(pair, u, q);
-        const bool   oblique = cosine > least_oblique;
+        const double cosine = std::abs(t1.dot(t2));
+        const double length = length_over_crossing(proximity, cosine);
+        const double drift = cosine > least_oblique && cosine < parallel_above ?
+                               drift_over_crossing(pair, u, q) :
+                               1;
 
         ContactZone zone =
           successor(pair,
@@ -297,10 +298,9 @@ namespace fiberloom
                     before,
                     cosine < .5 * (parallel_above + crossing_below) &&
                       length < .5 * (parallel_length + crossing_length) &&
-                      !(oblique &&
-                        drift < .5 * (parallel_drift + crossing_drift)));
+                      drift > .5 * (parallel_drift + crossing_drift));
         if (cosine > parallel_above || length > parallel_length ||
-            (oblique && drift < parallel_drift))
+            drift < parallel_drift)
           zone.crossing = false;
         else if (cosine < crossing_below && length < crossing_length &&
                  drift > crossing_drift)

@@ -9,6 +9,8 @@
 #include <fiberloom/contact/proximity_search.h>
 #include <fiberloom/contact/proximity_zones.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <optional>
 #include <vector>
 
