@@ -82,8 +82,7 @@ namespace fiberloom
     if (rows && columns)
       {
         const Eigen::Matrix<double, 9, n_motions> right =
-          Eigen::Map<const Stiffness>(values).lazyProduct(
-            motion_basis[column]);
+          Eigen::Map<const Stiffness>(values).lazyProduct(motion_basis[column]);
         Eigen::Map<Both>(reduced_block.data()).noalias() =
           motion_basis[row].transpose().lazyProduct(right);
         return reduced_block.data();
