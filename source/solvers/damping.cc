@@ -26,12 +26,14 @@ namespace fiberloom
     // least, until a residual grows by the second factor: fibers were thrown.
     constexpr double quiet_part = 1e-3, thrown = 2;
 
+    // Iterations that tell creep; each throw asks for twice as many.
+    constexpr unsigned int first_patience = 4;
+
     // Forces are nearly in balance, but damping makes soft fibers creep.
     bool
-    creeps(const std::vector<double> &residuals)
+    creeps(const std::vector<double> &residuals, const unsigned int window)
     {
-      constexpr unsigned int window = 4;
-      const unsigned int     n      = residuals.size();
+      const unsigned int n = residuals.size();
       return n > window &&
              *std::max_element(residuals.end() - window - 1, residuals.end()) <
                .1 &&
@@ -52,6 +54,7 @@ namespace fiberloom
   {
     this->least = value = least;
     quiet               = false;
+    patience            = first_patience;
     of_lines.clear();
     last_step.resize(0);
   }
@@ -89,8 +92,11 @@ namespace fiberloom
   void
   Damping::follow(const std::vector<double> &residuals)
   {
-    quiet = creeps(residuals) ||
+    const bool was_quiet = quiet;
+    quiet                = creeps(residuals, patience) ||
             (quiet && residuals.back() < thrown * residuals.end()[-2]);
+    if (was_quiet && !quiet)
+      patience *= 2;
     value = quiet ? std::max(value * decay, quiet_part * least) :
                     std::max(value, least);
   }

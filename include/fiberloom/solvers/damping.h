@@ -62,8 +62,9 @@ namespace fiberloom
   private:
     const FiberMesh    &mesh;
     double              least = 0, value = 0;
-    bool                quiet = false;
-    std::vector<double> of_lines; // over the value; may be empty
+    bool                quiet    = false;
+    unsigned int        patience = 0; // iterations before it is quiet
+    std::vector<double> of_lines;     // over the value; may be empty
     Eigen::VectorXd     last_step;
   };
 } // namespace fiberloom
