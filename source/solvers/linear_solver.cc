@@ -150,6 +150,20 @@ namespace fiberloom
 
 
 
+    /** Number of negative pivots, -1 where it fails; adds to @p outcome . */
+    template <typename Factor>
+    int
+    factorize(Factor                &factor,
+              const BlockMatrix     &matrix,
+              LinearSolver::Outcome &outcome)
+    {
+      ScopedTimer timer(outcome.factorization);
+      ++outcome.factorizations;
+      return factor.factorize(matrix);
+    }
+
+
+
     void
     shift_more(BlockMatrix           &matrix,
                const unsigned int     attempt,
@@ -235,12 +249,7 @@ namespace fiberloom
       {
         if (attempt > 0)
           shift_more(matrix, attempt, shift_unit, outcome);
-        ++outcome.factorizations;
-        int negative_pivots;
-        {
-          ScopedTimer timer(outcome.factorization);
-          negative_pivots = sections->factorize(matrix);
-        }
+        const int negative_pivots = factorize(*sections, matrix, outcome);
         if (attempt == 0)
           outcome.negative_pivots = negative_pivots;
         if (negative_pivots < 0 || (negative_pivots > 0 && !may_be_indefinite))
@@ -275,12 +284,7 @@ namespace fiberloom
     }
     for (unsigned int attempt = 0;; ++attempt)
       {
-        ++outcome.factorizations;
-        int negative_pivots;
-        {
-          ScopedTimer timer(outcome.factorization);
-          negative_pivots = factor->factorize(matrix);
-        }
+        const int negative_pivots = factorize(*factor, matrix, outcome);
         if (attempt == 0)
           outcome.negative_pivots = negative_pivots;
         if (negative_pivots == 0 || (negative_pivots > 0 && may_be_indefinite))
@@ -350,11 +354,7 @@ namespace fiberloom
       ScopedTimer timer(outcome.analysis);
       blocks->analyse(matrix);
     }
-    ++outcome.factorizations;
-    {
-      ScopedTimer timer(outcome.factorization);
-      outcome.negative_pivots = blocks->factorize(matrix);
-    }
+    outcome.negative_pivots = factorize(*blocks, matrix, outcome);
     if (outcome.negative_pivots != 0 ||
         !iterate(matrix, *blocks, b, x, relative_tolerance, outcome))
       return false;

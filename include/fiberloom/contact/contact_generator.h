@@ -111,7 +111,7 @@ namespace fiberloom
                 const ParameterPair &u,
                 const ContactState  &state) const;
 
-    /** This rank's part of these, without normals; as is the next one's. */
+    /** This rank's part of these; as the next one. */
     void
     add_woven_crossings(const DofVector             &q,
                         const ContactRule           &rule,
