@@ -220,6 +220,18 @@ namespace fiberloom
 
 
 
+  bool
+  BeamElement::is_folded(const Vector &q) const
+  {
+    return std::any_of(points.begin(), points.end(), [&](const auto &point) {
+      const auto vectors =
+        Interpolation(point.shape, point.derivative, radius)(q);
+      return vectors[0].cross(vectors[1]).dot(vectors[2]) <= 0;
+    });
+  }
+
+
+
   void
   BeamElement::residual(const Vector &q, Vector &residual) const
   {

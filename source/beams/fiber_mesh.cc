@@ -79,6 +79,17 @@ namespace fiberloom
 
 
 
+  bool
+  FiberMesh::is_folded(const DofVector &q) const
+  {
+    for (unsigned int e = 0; e < n_elements(); ++e)
+      if (beam_elements[e].is_folded(element_dofs(q, e)))
+        return true;
+    return false;
+  }
+
+
+
   ElementPoint
   FiberMesh::locate(const unsigned int fiber, const double u) const
   {

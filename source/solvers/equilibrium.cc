@@ -289,7 +289,7 @@ namespace fiberloom
       !pulls || reaction_drift() <
                   std::min(largest_drift, drift_over_tolerance * tolerance);
     if (!moves && residual < allowed && at_rest)
-      return Step::converged;
+      return mesh.is_folded(state.q) ? Step::failed : Step::converged;
     if (!(residual < diverged))
       return Step::failed;
     // Newton's method converges by exact steps, the damped loop does not; and
@@ -448,6 +448,9 @@ namespace fiberloom
     if (contact_elements.empty() || state.previous_q.size() == 0)
       return;
     system.motion().extrapolate(state, problem.targets, problem.load_step);
+    // An end that turns back folds the elements next to it.
+    if (mesh.is_folded(state.q))
+      return begin(state, problem);
     generate(state, problem);
     // Thrown apart, fibers that are held in each other would come back
     // unseen, on any side.

@@ -71,6 +71,13 @@ namespace fiberloom
     SectionForces
     section_forces(const Vector &q, const unsigned int gauss_point) const;
 
+    /**
+     * Whether the centre line runs against its sections somewhere. The law has
+     * no stress at a stretch of -1, so that equations alone can lead there.
+     */
+    bool
+    is_folded(const Vector &q) const;
+
     /** Reference length of the centre line [mm]. */
     double
     length() const

@@ -126,6 +126,10 @@ namespace fiberloom
       return q.segment<27>(dofs_per_node * first_node(element));
     }
 
+    /** Whether an element of any fiber is, see BeamElement. */
+    bool
+    is_folded(const DofVector &q) const;
+
     /** Clamps @p u to the fiber. */
     ElementPoint
     locate(const unsigned int fiber, const double u) const;
