@@ -95,7 +95,7 @@ namespace
     for (unsigned int b = 0; b < 2; ++b)
       targets.bodies[b].placement = expected.placements[b];
     const DofVector start = state.q;
-    system.motion().extrapolate(state, targets, 1);
+    system.motion().extrapolate(state, state, targets, 1);
     checks.below("extrapolation of an increment",
                  relative_error(state.q - start, expected.q - start),
                  1e-3);

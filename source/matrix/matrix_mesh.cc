@@ -165,12 +165,24 @@ namespace fiberloom
   std::optional<CellPoint>
   MatrixMesh::locate(const Vector3 &position) const
   {
-    const auto [cell, point] = dealii::GridTools::find_active_cell_around_point(
-      *search, dealii::Point<3>(position.x(), position.y(), position.z()));
-    if (cell == triangulation.end())
-      return {};
-    return CellPoint{cell->active_cell_index(),
-                     Vector3(point[0], point[1], point[2])};
+    // Of cells that share a face the first one, whatever the tree's order is.
+    const dealii::Point<3>   place(position.x(), position.y(), position.z());
+    std::optional<CellPoint> found;
+    for (const auto &[box, cell] :
+         search->get_cell_bounding_boxes_rtree() |
+           boost::geometry::index::adaptors::queried(
+             boost::geometry::index::intersects(place)))
+      if (!found || cell->active_cell_index() < found->cell)
+        try
+          {
+            const auto point = mapping.transform_real_to_unit_cell(cell, place);
+            if (dealii::GeometryInfo<3>::is_inside_unit_cell(point, 1e-10))
+              found = CellPoint{cell->active_cell_index(),
+                                Vector3(point[0], point[1], point[2])};
+          }
+        catch (const dealii::Mapping<3>::ExcTransformationFailed &)
+          {} // far from this cell
+    return found;
   }
 
 

@@ -172,15 +172,16 @@ namespace fiberloom
 
   void
   Motion::extrapolate(State         &state,
+                      const State   &past,
                       const Targets &targets,
                       const double   load_step) const
   {
-    const double    ratio = load_step / (state.load - state.previous_load);
+    const double    ratio = load_step / (past.load - past.previous_load);
     Eigen::VectorXd increment(layout.n_dofs());
 
     for (unsigned int n = 0; n < layout.n_nodes(); ++n)
       {
-        const NodeVector before = node_dofs(state.previous_q, n),
+        const NodeVector before = node_dofs(past.previous_q, n),
                          now    = node_dofs(state.q, n);
         NodeVector change       = now - before;
         if (const int i = node_attachments[n]; i >= 0)
@@ -188,7 +189,7 @@ namespace fiberloom
             const Attachment  &held = supports.attachments[i];
             const unsigned int body = held.body;
             change                  = local_change(held,
-                                  state.previous_placements[body],
+                                  past.previous_placements[body],
                                   state.placements[body],
                                   before,
                                   now);
@@ -201,7 +202,7 @@ namespace fiberloom
       prescribed_increments(state, targets);
     for (unsigned int b = 0; b < state.placements.size(); ++b)
       {
-        const Placement &from = state.previous_placements[b],
+        const Placement &from = past.previous_placements[b],
                         &to   = state.placements[b];
         BodyVector motion;
         motion << to.position - from.position, to.turn - from.turn;

@@ -141,15 +141,18 @@ namespace fiberloom
         if (load > stop - .01 * state.step)
           load = stop;
 
-        const unsigned int         newton_before = statistics.newton_iterations;
-        State                      found         = state;
+        const unsigned int newton_before = statistics.newton_iterations;
+        State              found         = state;
+        State              even          = state;
+        const bool         has_guess     = stage.guess(even, load - state.load);
         const Equilibrium::Problem problem{
           state,
           {stage.targets(state.stage_start_placements, load),
            stage.node_forces(load)},
           stage.rule(load),
           stage.least_force_scale(load),
-          load - state.load};
+          load - state.load,
+          has_guess ? &even : nullptr};
         const bool solved = equilibrium.solve(found, problem);
         if (!system.has_potential(problem.targets))
           statistics.unsymmetric_systems +=

@@ -29,15 +29,18 @@ namespace fiberloom
     // Iterations that tell creep; each throw asks for twice as many.
     constexpr unsigned int first_patience = 4;
 
-    // Forces are nearly in balance, but damping makes soft fibers creep.
+    // Forces are nearly in balance, but damping makes soft fibers creep. Where
+    // residuals rise, something else happens.
     bool
     creeps(const std::vector<double> &residuals, const unsigned int window)
     {
       const unsigned int n = residuals.size();
-      return n > window &&
-             *std::max_element(residuals.end() - window - 1, residuals.end()) <
+      if (n <= window)
+        return false;
+      const double now = residuals[n - 1], before = residuals[n - 1 - window];
+      return *std::max_element(residuals.end() - window - 1, residuals.end()) <
                .1 &&
-             residuals[n - 1] > .8 * residuals[n - 1 - window];
+             now > .8 * before && now <= before;
     }
   } // namespace
 

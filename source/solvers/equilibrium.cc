@@ -445,17 +445,26 @@ namespace fiberloom
       std::max(lost_penetration * parameters.contact.largest_penetration,
                2 * largest_penetration());
     // What does not touch bends freely: turns are too large to go on straight.
-    if (contact_elements.empty() || state.previous_q.size() == 0)
+    if (contact_elements.empty())
       return;
-    system.motion().extrapolate(state, problem.targets, problem.load_step);
-    // An end that turns back folds the elements next to it.
-    if (mesh.is_folded(state.q))
-      return begin(state, problem);
-    generate(state, problem);
-    // Thrown apart, fibers that are held in each other would come back
-    // unseen, on any side.
-    if (is_lost() || contact_elements.empty())
-      begin(state, problem);
+    for (const State *past : {&problem.before, problem.even})
+      if (past != nullptr && past->previous_q.size() > 0)
+        {
+          system.motion().extrapolate(state,
+                                      *past,
+                                      problem.targets,
+                                      problem.load_step);
+          // An end that turns back folds the elements next to it. And thrown
+          // apart, fibers that are held in each other would come back unseen,
+          // on any side.
+          if (!mesh.is_folded(state.q))
+            {
+              generate(state, problem);
+              if (!is_lost() && !contact_elements.empty())
+                return;
+            }
+          begin(state, problem);
+        }
   }
 
 

@@ -12,7 +12,7 @@ namespace fiberloom
 {
   namespace
   {
-    // The first guess goes back in time by this part of the test.
+    // A first guess goes back in time by this part of the test.
     constexpr double guess_step = 1e-4;
   } // namespace
 
@@ -55,12 +55,23 @@ namespace fiberloom
   AngleTest::begin(State &state) const
   {
     TowEnds::place(scene, state);
+  }
 
-    // A first guess: as if all had followed the angle evenly until now.
-    const double back         = -guess_step * largest_angle;
+
+
+  bool
+  AngleTest::guess(State &state, const double load_step) const
+  {
+    // A short while ago: what bodies hold hardly turns with them then.
+    const double from = angle(state), step = load_step * largest_angle,
+                 part         = guess_step / load_step;
+    const DofVector &start    = state.stage_start_q;
+    const auto       has_gone = [&](const auto &position) -> Vector3 {
+      return part * (place(position, from + step) - place(position, from));
+    };
     state.previous_q          = state.q;
     state.previous_placements = state.placements;
-    state.previous_load       = -guess_step;
+    state.previous_load       = state.load - guess_step;
     for (const auto &line : scene.mesh.lines())
       {
         const bool along_x =
@@ -69,21 +80,28 @@ namespace fiberloom
              n < line.first_node + line.n_nodes();
              ++n)
           {
-            auto          node  = state.previous_q.segment<9>(9 * n);
-            const Vector3 place = node.head<3>(), turn = spin(place, along_x);
-            node.head<3>() += back * velocity(place);
+            const Vector3 began = start.segment<3>(9 * n);
+            const Vector3 spins = step * spin(began, along_x);
+            const Matrix3 turn =
+              Eigen::AngleAxisd(spins.norm(), spins.stableNormalized())
+                .toRotationMatrix() -
+              Matrix3::Identity();
+            auto node = state.previous_q.segment<9>(9 * n);
+            node.head<3>() -= has_gone(began);
             for (const unsigned int v : {3, 6})
-              node.segment<3>(v) += back * turn.cross(node.segment<3>(v));
+              node.segment<3>(v) -= part * turn * node.segment<3>(v);
           }
       }
     for (Eigen::Index i = 9 * scene.mesh.n_nodes(); i < state.q.size(); i += 3)
-      state.previous_q.segment<3>(i) += back * velocity(state.q.segment<3>(i));
+      state.previous_q.segment<3>(i) -= has_gone(start.segment<3>(i));
     for (unsigned int b = 0; b < state.placements.size(); ++b)
       {
-        Placement &placement = state.previous_placements[b];
-        placement.turn += back * spin(placement.position, runs_along_x(b));
-        placement.position += back * velocity(placement.position);
+        const Vector3 began     = state.stage_start_placements[b].position;
+        Placement    &placement = state.previous_placements[b];
+        placement.turn -= part * step * spin(began, runs_along_x(b));
+        placement.position -= has_gone(began);
       }
+    return true;
   }
 
 

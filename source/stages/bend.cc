@@ -5,18 +5,14 @@
 
 #include <fiberloom/stages/bend.h>
 
+#include <boost/math/special_functions/sinc.hpp>
+
 #include <cmath>
 
 namespace fiberloom
 {
   namespace
   {
-    Vector3
-    direction(const unsigned int axis)
-    {
-      return Vector3::Unit(axis);
-    }
-
     /** About which the border at the end turns, so that the middle rises. */
     Vector3
     turning_axis(const unsigned int axis)
@@ -105,20 +101,27 @@ namespace fiberloom
 
 
   Vector3
-  Bend::velocity(const Vector3 &position) const
+  Bend::place(const Vector3 &start, const double angle) const
   {
-    const double along = position[axis], curvature = 1 / length;
-    Vector3      velocity = curvature * along * position.z() * direction(axis);
-    velocity.z() = .5 * curvature * (.25 * length * length - along * along);
-    return velocity;
+    using boost::math::sinc_pi;
+    const double along = start[axis], curvature = angle / length,
+                 before = .5 * length + along, behind = .5 * length - along,
+                 turn = curvature * along;
+    Vector3 place     = start;
+    place[axis]       = along * sinc_pi(turn) + start.z() * std::sin(turn);
+    place.z() =
+      start.z() * std::cos(turn) + .5 * curvature * before * behind *
+                                     sinc_pi(.5 * curvature * before) *
+                                     sinc_pi(.5 * curvature * behind);
+    return place;
   }
 
 
 
   Vector3
-  Bend::spin(const Vector3 &position, const bool) const
+  Bend::spin(const Vector3 &start, const bool) const
   {
-    return position[axis] / length * turning_axis(axis);
+    return start[axis] / length * turning_axis(axis);
   }
 
 

@@ -30,21 +30,30 @@ namespace fiberloom
   Biaxial::begin(State &state) const
   {
     TowEnds::place(scene, state);
+  }
 
-    // A first guess: as if all had been drawn out evenly until now.
+
+
+  bool
+  Biaxial::guess(State &state, const double load_step) const
+  {
+    // As if all had been drawn out evenly until now.
     const auto draw = [&](auto position) {
-      position.x() *= 1 - warp_strain;
-      position.y() *= 1 - fill_strain;
+      position.x() *=
+        1 - load_step * warp_strain / (1 + state.load * warp_strain);
+      position.y() *=
+        1 - load_step * fill_strain / (1 + state.load * fill_strain);
     };
     state.previous_q          = state.q;
     state.previous_placements = state.placements;
-    state.previous_load       = -1;
+    state.previous_load       = state.load - load_step;
     for (unsigned int n = 0; n < scene.mesh.n_nodes(); ++n)
       draw(state.previous_q.segment<3>(9 * n));
     for (Eigen::Index i = 9 * scene.mesh.n_nodes(); i < state.q.size(); i += 3)
       draw(state.previous_q.segment<3>(i));
     for (Placement &placement : state.previous_placements)
       draw(Eigen::Map<Vector3>(placement.position.data()));
+    return true;
   }
 
 

@@ -43,12 +43,9 @@ namespace fiberloom
               const unsigned int            body,
               const double                  angle) const
   {
-    const double  c = std::cos(.5 * angle), s = std::sin(.5 * angle);
-    const Vector3 from  = start[body].position;
-    Placement     moved = start[body];
-    moved.position << c * from.x() + s * from.y(), s * from.x() + c * from.y(),
-      from.z();
-    moved.rotation = Eigen::AngleAxisd(angle * half_turn(runs_along_x(body)),
+    Placement moved = start[body];
+    moved.position  = place(start[body].position, angle);
+    moved.rotation  = Eigen::AngleAxisd(angle * half_turn(runs_along_x(body)),
                                        Vector3::UnitZ()) *
                      start[body].rotation;
     return moved;
@@ -57,9 +54,12 @@ namespace fiberloom
 
 
   Vector3
-  Shear::velocity(const Vector3 &position) const
+  Shear::place(const Vector3 &start, const double angle) const
   {
-    return .5 * Vector3(position.y(), position.x(), 0);
+    const double c = std::cos(.5 * angle), s = std::sin(.5 * angle);
+    return {c * start.x() + s * start.y(),
+            s * start.x() + c * start.y(),
+            start.z()};
   }
 
 

@@ -78,10 +78,12 @@ namespace fiberloom
 
     /**
      * Moves the prescribed dofs of @p state to their targets, the others as
-     * much further as they went in the last increment, for @p load_step .
+     * much further, over @p load_step , as they had come from the placement
+     * before @p past .
      */
     void
     extrapolate(State         &state,
+                const State   &past,
                 const Targets &targets,
                 const double   load_step) const;
 

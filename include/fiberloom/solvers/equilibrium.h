@@ -61,6 +61,7 @@ namespace fiberloom
       ContactRule  rule;
       double       least_scale = 0; // of the residual [N]
       double       load_step   = 0;
+      const State *even = nullptr; // the same with another past, see Stage
     };
 
     /**
@@ -170,9 +171,9 @@ namespace fiberloom
     begin(State &state, const Problem &problem);
 
     /**
-     * Contacts of @p state , and where the last increment tells where fibers
-     * go, those of the extrapolated state, unless that throws fibers deep into
-     * each other.
+     * Contacts of @p state , and where the last increment, or else an even
+     * deformation, tells where fibers go, those of the extrapolated state,
+     * unless that throws fibers deep into each other.
      */
     void
     extrapolate(State &state, const Problem &problem);

@@ -23,6 +23,9 @@ namespace fiberloom
     void
     begin(State &state) const override;
 
+    bool
+    guess(State &state, const double load_step) const override;
+
     std::vector<BodyTarget>
     targets(const std::vector<Placement> &start,
             const double                  load) const override;
@@ -66,14 +69,15 @@ namespace fiberloom
          const unsigned int            body,
          const double                  angle) const = 0;
 
-    /** How a point moves at first with the angle, for a first guess [mm/rad].
-     */
+    /** Where an even deformation by @p angle takes what was at @p start , for a
+     * first guess [mm]. */
     virtual Vector3
-    velocity(const Vector3 &position) const = 0;
+    place(const Vector3 &start, const double angle) const = 0;
 
-    /** How what runs along x or, if not @p along_x , along y turns there. */
+    /** How what runs along x or, if not @p along_x , along y turns with the
+     * angle where it was at @p start . */
     virtual Vector3
-    spin(const Vector3 &position, const bool along_x) const = 0;
+    spin(const Vector3 &start, const bool along_x) const = 0;
 
     double
     angle(const State &state) const

@@ -33,10 +33,10 @@ namespace fiberloom
          const double                  angle) const override;
 
     Vector3
-    velocity(const Vector3 &position) const override;
+    place(const Vector3 &start, const double angle) const override;
 
     Vector3
-    spin(const Vector3 &position, const bool along_x) const override;
+    spin(const Vector3 &start, const bool along_x) const override;
 
   private:
     /** Middle of the tow ends on the border at side 0 or 1. */

@@ -23,6 +23,9 @@ namespace fiberloom
     void
     begin(State &state) const override;
 
+    bool
+    guess(State &state, const double load_step) const override;
+
     std::vector<BodyTarget>
     targets(const std::vector<Placement> &start,
             const double                  load) const override;

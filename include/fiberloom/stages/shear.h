@@ -29,10 +29,10 @@ namespace fiberloom
          const double                  angle) const override;
 
     Vector3
-    velocity(const Vector3 &position) const override;
+    place(const Vector3 &start, const double angle) const override;
 
     Vector3
-    spin(const Vector3 &position, const bool along_x) const override;
+    spin(const Vector3 &start, const bool along_x) const override;
   };
 } // namespace fiberloom
 

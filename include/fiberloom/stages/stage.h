@@ -77,6 +77,17 @@ namespace fiberloom
     virtual void
     begin(State &state) const = 0;
 
+    /**
+     * Gives @p state a past from which an even deformation of the whole sample
+     * would lead it over the next @p load_step : a first guess. False where the
+     * stage knows of none.
+     */
+    virtual bool
+    guess(State & /*state*/, const double /*load_step*/) const
+    {
+      return false;
+    }
+
     /** What the bodies are to do at @p load ; @p start are their placements at
      * its start. */
     virtual std::vector<BodyTarget>
