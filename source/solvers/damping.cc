@@ -29,18 +29,15 @@ namespace fiberloom
     // Iterations that tell creep; each throw asks for twice as many.
     constexpr unsigned int first_patience = 4;
 
-    // Forces are nearly in balance, but damping makes soft fibers creep. Where
-    // residuals rise, something else happens.
+    // Forces are nearly in balance, but damping makes soft fibers creep.
     bool
     creeps(const std::vector<double> &residuals, const unsigned int window)
     {
       const unsigned int n = residuals.size();
-      if (n <= window)
-        return false;
-      const double now = residuals[n - 1], before = residuals[n - 1 - window];
-      return *std::max_element(residuals.end() - window - 1, residuals.end()) <
+      return n > window &&
+             *std::max_element(residuals.end() - window - 1, residuals.end()) <
                .1 &&
-             now > .8 * before && now <= before;
+             residuals[n - 1] > .8 * residuals[n - 1 - window];
     }
   } // namespace
 
