@@ -60,8 +60,7 @@ namespace fiberloom
   bool
   Bend::guess(State &state, const double load_step) const
   {
-    // Tows that have slid on each other do not bend as one: from then on even
-    // bending led less far than none in the test of the composite.
+    // Tows that have slid on each other do not bend as one.
     return state.load == 0 && AngleTest::guess(state, load_step);
   }
 
