@@ -85,17 +85,15 @@ namespace
       return state;
     };
 
-    State state               = moved(model.state, 1);
-    state.previous_q          = model.state.q;
-    state.previous_placements = model.state.placements;
-    state.previous_load       = 0;
-    state.load                = 2;
-    const State expected      = moved(state, .5);
-    Targets     targets       = model.targets;
+    State      state = moved(model.state, 1);
+    const Past past{model.state.q, model.state.placements, 0};
+    state.load           = 2;
+    const State expected = moved(state, .5);
+    Targets     targets  = model.targets;
     for (unsigned int b = 0; b < 2; ++b)
       targets.bodies[b].placement = expected.placements[b];
     const DofVector start = state.q;
-    system.motion().extrapolate(state, state, targets, 1);
+    system.motion().extrapolate(state, past, targets, 1);
     checks.below("extrapolation of an increment",
                  relative_error(state.q - start, expected.q - start),
                  1e-3);

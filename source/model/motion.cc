@@ -172,27 +172,24 @@ namespace fiberloom
 
   void
   Motion::extrapolate(State         &state,
-                      const State   &past,
+                      const Past    &past,
                       const Targets &targets,
                       const double   load_step) const
   {
-    const double    ratio = load_step / (past.load - past.previous_load);
+    const double    ratio = load_step / (state.load - past.load);
     Eigen::VectorXd increment(layout.n_dofs());
 
     for (unsigned int n = 0; n < layout.n_nodes(); ++n)
       {
-        const NodeVector before = node_dofs(past.previous_q, n),
+        const NodeVector before = node_dofs(past.q, n),
                          now    = node_dofs(state.q, n);
         NodeVector change       = now - before;
         if (const int i = node_attachments[n]; i >= 0)
           {
             const Attachment  &held = supports.attachments[i];
             const unsigned int body = held.body;
-            change                  = local_change(held,
-                                  past.previous_placements[body],
-                                  state.placements[body],
-                                  before,
-                                  now);
+            change                  = local_change(
+              held, past.placements[body], state.placements[body], before, now);
           }
         increment.segment(layout.first_dof(n), layout.size(n)) =
           ratio * change.head(layout.size(n));
@@ -202,9 +199,8 @@ namespace fiberloom
       prescribed_increments(state, targets);
     for (unsigned int b = 0; b < state.placements.size(); ++b)
       {
-        const Placement &from = past.previous_placements[b],
-                        &to   = state.placements[b];
-        BodyVector motion;
+        const Placement &from = past.placements[b], &to = state.placements[b];
+        BodyVector       motion;
         motion << to.position - from.position, to.turn - from.turn;
         const unsigned int first = layout.first_dof(layout.body_block(b));
         for (unsigned int k = 0; k < 6; ++k)

@@ -94,7 +94,7 @@ namespace fiberloom
       State
       operator()(State state) const
       {
-        for (DofVector *q : {&state.q, &state.stage_start_q, &state.previous_q})
+        for (DofVector *q : {&state.q, &state.stage_start_q, &state.previous.q})
           *q = dofs(*q);
         for (ContactZone &zone : state.contact.zones)
           {

@@ -141,10 +141,8 @@ namespace fiberloom
         if (load > stop - .01 * state.step)
           load = stop;
 
-        const unsigned int newton_before = statistics.newton_iterations;
-        State              found         = state;
-        State              even          = state;
-        const bool         has_guess     = stage.guess(even, load - state.load);
+        const unsigned int         newton_before = statistics.newton_iterations;
+        State                      found         = state;
         const Equilibrium::Problem problem{
           state,
           {stage.targets(state.stage_start_placements, load),
@@ -152,7 +150,7 @@ namespace fiberloom
           stage.rule(load),
           stage.least_force_scale(load),
           load - state.load,
-          has_guess ? &even : nullptr};
+          stage.guess(state, load - state.load)};
         const bool solved = equilibrium.solve(found, problem);
         if (!system.has_potential(problem.targets))
           statistics.unsymmetric_systems +=
@@ -171,21 +169,31 @@ namespace fiberloom
 
         ++statistics.rejected_increments;
         if (cuts == solver.largest_cuts)
-          throw StageFailure(
-            "stage " + name + " stops at load " +
-            (boost::format("%.4f") % state.load).str() +
-            ": the increment failed after " + std::to_string(cuts) + " cuts" +
-            (equilibrium.contacts().empty() ?
-               ", without contact; a larger \"Newton tolerance\" or a shorter "
-               "\"Largest step\" may help" :
-               "; a larger \"Largest penetration\" or more elements per "
-               "fiber may help"));
+          throw StageFailure("stage " + name + " stops at load " +
+                             (boost::format("%.4f") % state.load).str() +
+                             ": the increment failed after " +
+                             std::to_string(cuts) + " cuts" + advice());
         state.step /= 2;
         log.write((boost::format("  %-8s increment to load %.4f failed, cut "
                                  "to %.2e") %
                    name % load % state.step)
                     .str());
       }
+  }
+
+
+
+  std::string
+  StageRun::advice() const
+  {
+    if (equilibrium.ends_folded())
+      return ", where elements of a fiber have folded; a smaller \"Largest "
+             "move\" or longer elements may help";
+    if (equilibrium.contacts().empty())
+      return ", without contact; a larger \"Newton tolerance\" or a shorter "
+             "\"Largest step\" may help";
+    return "; a larger \"Largest penetration\" or more elements per fiber may "
+           "help";
   }
 
 
@@ -202,11 +210,11 @@ namespace fiberloom
           from.turn +
           rotation_vector(from.rotation, to.rotation, to.turn - from.turn);
       }
-    found.previous_q          = std::move(state.q);
-    found.previous_placements = std::move(state.placements);
-    found.previous_load       = state.load;
-    state                     = std::move(found);
-    state.load                = load;
+    found.previous = {std::move(state.q),
+                      std::move(state.placements),
+                      state.load};
+    state          = std::move(found);
+    state.load     = load;
     ++state.increment;
     state.contact.history =
       friction_history(equilibrium.contacts(), scene.mesh);

@@ -289,7 +289,10 @@ namespace fiberloom
       !pulls || reaction_drift() <
                   std::min(largest_drift, drift_over_tolerance * tolerance);
     if (!moves && residual < allowed && at_rest)
-      return mesh.is_folded(state.q) ? Step::failed : Step::converged;
+      {
+        folded = mesh.is_folded(state.q);
+        return folded ? Step::failed : Step::converged;
+      }
     if (!(residual < diverged))
       return Step::failed;
     // Newton's method converges by exact steps, the damped loop does not; and
@@ -447,8 +450,8 @@ namespace fiberloom
     // What does not touch bends freely: turns are too large to go on straight.
     if (contact_elements.empty())
       return;
-    for (const State *past : {&problem.before, problem.even})
-      if (past != nullptr && past->previous_q.size() > 0)
+    for (const Past *past : {&problem.before.previous, &problem.even})
+      if (past->q.size() > 0)
         {
           system.motion().extrapolate(state,
                                       *past,
@@ -472,6 +475,7 @@ namespace fiberloom
   bool
   Equilibrium::solve(State &state, const Problem &problem)
   {
+    folded = false;
     extrapolate(state, problem);
 
     const auto one_loop = [&](const double damping) {

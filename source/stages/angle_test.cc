@@ -59,8 +59,8 @@ namespace fiberloom
 
 
 
-  bool
-  AngleTest::guess(State &state, const double load_step) const
+  Past
+  AngleTest::guess(const State &state, const double load_step) const
   {
     // A short while ago: what bodies hold hardly turns with them then.
     const double from = angle(state), step = load_step * largest_angle,
@@ -69,9 +69,7 @@ namespace fiberloom
     const auto       has_gone = [&](const auto &position) -> Vector3 {
       return part * (place(position, from + step) - place(position, from));
     };
-    state.previous_q          = state.q;
-    state.previous_placements = state.placements;
-    state.previous_load       = state.load - guess_step;
+    Past past{state.q, state.placements, state.load - guess_step};
     for (const auto &line : scene.mesh.lines())
       {
         const bool along_x =
@@ -86,22 +84,22 @@ namespace fiberloom
               Eigen::AngleAxisd(spins.norm(), spins.stableNormalized())
                 .toRotationMatrix() -
               Matrix3::Identity();
-            auto node = state.previous_q.segment<9>(9 * n);
+            auto node = past.q.segment<9>(9 * n);
             node.head<3>() -= has_gone(began);
             for (const unsigned int v : {3, 6})
               node.segment<3>(v) -= part * turn * node.segment<3>(v);
           }
       }
-    for (Eigen::Index i = 9 * scene.mesh.n_nodes(); i < state.q.size(); i += 3)
-      state.previous_q.segment<3>(i) -= has_gone(start.segment<3>(i));
-    for (unsigned int b = 0; b < state.placements.size(); ++b)
+    for (Eigen::Index i = 9 * scene.mesh.n_nodes(); i < past.q.size(); i += 3)
+      past.q.segment<3>(i) -= has_gone(start.segment<3>(i));
+    for (unsigned int b = 0; b < past.placements.size(); ++b)
       {
         const Vector3 began     = state.stage_start_placements[b].position;
-        Placement    &placement = state.previous_placements[b];
+        Placement    &placement = past.placements[b];
         placement.turn -= part * step * spin(began, runs_along_x(b));
         placement.position -= has_gone(began);
       }
-    return true;
+    return past;
   }
 
 

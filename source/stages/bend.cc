@@ -57,15 +57,6 @@ namespace fiberloom
 
 
 
-  bool
-  Bend::guess(State &state, const double load_step) const
-  {
-    // Tows that have slid on each other do not bend as one.
-    return state.load == 0 && AngleTest::guess(state, load_step);
-  }
-
-
-
   Vector3
   Bend::border_center(const std::vector<Placement> &placements,
                       const unsigned int            side) const

@@ -34,8 +34,8 @@ namespace fiberloom
 
 
 
-  bool
-  Biaxial::guess(State &state, const double load_step) const
+  Past
+  Biaxial::guess(const State &state, const double load_step) const
   {
     // As if all had been drawn out evenly until now.
     const auto draw = [&](auto position) {
@@ -44,16 +44,14 @@ namespace fiberloom
       position.y() *=
         1 - load_step * fill_strain / (1 + state.load * fill_strain);
     };
-    state.previous_q          = state.q;
-    state.previous_placements = state.placements;
-    state.previous_load       = state.load - load_step;
+    Past past{state.q, state.placements, state.load - load_step};
     for (unsigned int n = 0; n < scene.mesh.n_nodes(); ++n)
-      draw(state.previous_q.segment<3>(9 * n));
-    for (Eigen::Index i = 9 * scene.mesh.n_nodes(); i < state.q.size(); i += 3)
-      draw(state.previous_q.segment<3>(i));
-    for (Placement &placement : state.previous_placements)
+      draw(past.q.segment<3>(9 * n));
+    for (Eigen::Index i = 9 * scene.mesh.n_nodes(); i < past.q.size(); i += 3)
+      draw(past.q.segment<3>(i));
+    for (Placement &placement : past.placements)
       draw(Eigen::Map<Vector3>(placement.position.data()));
-    return true;
+    return past;
   }
 
 

@@ -100,7 +100,7 @@ namespace fiberloom
     const Eigen::VectorXd &nodes = hexes.reference();
     state.q.conservativeResize(9 * mesh.n_nodes() + nodes.size());
     state.q.tail(nodes.size()) = nodes;
-    state.previous_q.resize(0);
+    state.previous.q.resize(0);
     state.matrix = std::move(matrix);
 
     std::string note = "coat: " + std::to_string(hexes.n_cells()) + " cells, " +

@@ -215,7 +215,7 @@ namespace fiberloom
     unsigned int largest_contact_passes    = 12;
     unsigned int largest_normal_passes     = 15;
     unsigned int largest_newton_iterations = 40;
-    unsigned int largest_loop_iterations   = 70;
+    unsigned int largest_loop_iterations   = 150;
     double       damping          = 2e-3; // of the one-loop tangent, over E r
     unsigned int line_search_from = 5;
     double       growth           = 1.3;

@@ -78,12 +78,11 @@ namespace fiberloom
 
     /**
      * Moves the prescribed dofs of @p state to their targets, the others as
-     * much further, over @p load_step , as they had come from the placement
-     * before @p past .
+     * much further, over @p load_step , as they had come from @p past .
      */
     void
     extrapolate(State         &state,
-                const State   &past,
+                const Past    &past,
                 const Targets &targets,
                 const double   load_step) const;
 

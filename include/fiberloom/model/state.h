@@ -19,6 +19,16 @@
 
 namespace fiberloom
 {
+  /** Where everything was at an earlier load; nowhere where q is empty. */
+  struct Past
+  {
+    DofVector              q;
+    std::vector<Placement> placements;
+    double                 load = 0;
+  };
+
+
+
   /**
    * Everything that changes over an increment. A copy of it is a commit, the
    * assignment of that copy a rollback; two runs with equal states go on
@@ -34,10 +44,7 @@ namespace fiberloom
     DofVector              stage_start_q;
     ContactState           contact;
 
-    // One increment ago, to extrapolate from; none where q is empty.
-    DofVector              previous_q;
-    std::vector<Placement> previous_placements;
-    double                 previous_load = 0;
+    Past previous; // one increment ago, to extrapolate from
 
     unsigned int stage     = 0; // index into the stages of the scene
     unsigned int increment = 0; // accepted in the stage
@@ -54,7 +61,7 @@ namespace fiberloom
       increment = 0;
       load      = 0;
       step      = 0;
-      previous_q.resize(0);
+      previous.q.resize(0);
     }
 
     /** Empty after the last one. */
@@ -68,7 +75,7 @@ namespace fiberloom
     void
     serialize(Archive &ar, const unsigned int)
     {
-      for (DofVector *dofs : {&q, &stage_start_q, &previous_q})
+      for (DofVector *dofs : {&q, &stage_start_q, &previous.q})
         {
           auto n = dofs->size();
           ar  &n;
@@ -78,9 +85,9 @@ namespace fiberloom
         }
       ar                                     &matrix;
       ar &placements &stage_start_placements &contact;
-      ar &previous_placements                &previous_load;
-      ar &stage &increment &load &step       &dissipation;
-      ar &stages_done                        &scene_stages;
+      ar &previous.placements          &previous.load;
+      ar &stage &increment &load &step &dissipation;
+      ar &stages_done                  &scene_stages;
     }
   };
 } // namespace fiberloom

@@ -59,6 +59,10 @@ namespace fiberloom
     void
     take_increment(State &state);
 
+    /** What may help where increments fail, for the message. */
+    std::string
+    advice() const;
+
     void
     accept(State &state, State &&found, const double load);
 

@@ -61,7 +61,7 @@ namespace fiberloom
       ContactRule  rule;
       double       least_scale = 0; // of the residual [N]
       double       load_step   = 0;
-      const State *even = nullptr; // the same with another past, see Stage
+      Past         even        = {}; // another one to come from, see Stage
     };
 
     /**
@@ -111,6 +111,13 @@ namespace fiberloom
     negative_pivots() const
     {
       return last_negative_pivots;
+    }
+
+    /** Whether the last increment came to rest with a folded element. */
+    bool
+    ends_folded() const
+    {
+      return folded;
     }
 
   private:
@@ -221,6 +228,7 @@ namespace fiberloom
     double last_cut             = 1; // by the last line search
     double deepest_penetration  = 0; // over the radius
     int    last_negative_pivots = 0;
+    bool   folded               = false;
 
     unsigned int n_yardsticks = 0; // whose mean is in the statistics
   };

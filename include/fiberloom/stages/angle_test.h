@@ -23,8 +23,8 @@ namespace fiberloom
     void
     begin(State &state) const override;
 
-    bool
-    guess(State &state, const double load_step) const override;
+    Past
+    guess(const State &state, const double load_step) const override;
 
     std::vector<BodyTarget>
     targets(const std::vector<Placement> &start,

@@ -22,9 +22,6 @@ namespace fiberloom
     Supports
     supports(const DofVector &start) const override;
 
-    bool
-    guess(State &state, const double load_step) const override;
-
     CurveRow
     curve(const State                   &state,
           const std::vector<BodyVector> &reactions) const override;

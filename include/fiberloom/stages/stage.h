@@ -78,14 +78,14 @@ namespace fiberloom
     begin(State &state) const = 0;
 
     /**
-     * Gives @p state a past from which an even deformation of the whole sample
-     * would lead it over the next @p load_step : a first guess. False where the
+     * A past from which an even deformation of the whole sample would lead
+     * @p state on over the next @p load_step : a first guess. Empty where the
      * stage knows of none.
      */
-    virtual bool
-    guess(State & /*state*/, const double /*load_step*/) const
+    virtual Past
+    guess(const State & /*state*/, const double /*load_step*/) const
     {
-      return false;
+      return {};
     }
 
     /** What the bodies are to do at @p load ; @p start are their placements at
