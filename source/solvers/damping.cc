@@ -4,6 +4,7 @@
 #include <fiberloom/solvers/damping.h>
 
 #include <algorithm>
+#include <array>
 
 namespace fiberloom
 {
@@ -25,6 +26,13 @@ namespace fiberloom
     // Damping that only makes soft fibers creep decays down to this part of the
     // least, until a residual grows by the second factor: fibers were thrown.
     constexpr double quiet_part = 1e-3, thrown = 2;
+
+    // Parts of the least damping in a cycle, which begins where the residual is
+    // below the bound: slow motions that many fibers share need little of it,
+    // single fibers that were thrown meanwhile come to rest at the end.
+    constexpr std::array<double, 8> parts_of_cycle{
+      {1. / 4, 1. / 16, 1. / 64, 1. / 256, 1. / 256, 1, 1, 1}};
+    constexpr double cycle_from = .3;
 
     // Iterations that tell creep; each throw asks for twice as many.
     constexpr unsigned int first_patience = 4;
@@ -53,8 +61,9 @@ namespace fiberloom
   Damping::reset(const double least)
   {
     this->least = value = least;
-    quiet               = false;
-    patience            = first_patience;
+    quiet = cycling = cycled = false;
+    position                 = 0;
+    patience                 = first_patience;
     of_lines.clear();
     last_step.resize(0);
   }
@@ -92,6 +101,18 @@ namespace fiberloom
   void
   Damping::follow(const std::vector<double> &residuals)
   {
+    within = position > 0;
+    if (cycling)
+      {
+        value = least;
+        if (within || residuals.back() < cycle_from)
+          {
+            value *= parts_of_cycle[position];
+            position = (position + 1) % parts_of_cycle.size();
+            cycled   = cycled || position == 0;
+          }
+        return;
+      }
     const bool was_quiet = quiet;
     quiet                = creeps(residuals, patience) ||
             (quiet && residuals.back() < thrown * residuals.end()[-2]);
@@ -99,6 +120,14 @@ namespace fiberloom
       patience *= 2;
     value = quiet ? std::max(value * decay, quiet_part * least) :
                     std::max(value, least);
+  }
+
+
+
+  void
+  Damping::cycle()
+  {
+    cycling = true;
   }
 
 

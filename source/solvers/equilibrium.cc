@@ -61,9 +61,15 @@ namespace fiberloom
     // Of contacts that are about to close, over the largest contact force.
     constexpr double approach_force = .01, approach_over_tolerance = .3;
 
-    // What a damped step of a pull may still change of the forces, over the
-    // largest one: soft fibers give up theirs long after residuals are small.
+    // What a damped step of a pull, or a cycle of them, may still change of the
+    // forces, over the largest one: soft fibers give up theirs long after
+    // residuals are small. The first bound is that of a single step.
     constexpr double largest_drift = .005, drift_over_tolerance = .5;
+
+    // Where so many steps change them by more than this multiple although
+    // residuals are small, damping holds up a motion that many fibers share.
+    constexpr double       slow_drift = 2;
+    constexpr unsigned int slow_steps = 4;
 
     // A machine with other work on it is not always as fast.
     constexpr unsigned int yardstick_every = 10;
@@ -285,13 +291,20 @@ namespace fiberloom
     last_residual         = residual;
     watch({residual, damping.over_Er(), last_factor});
     const double allowed = std::max(tolerance, system.rounding_force() / scale);
-    const bool   at_rest =
-      !pulls || reaction_drift() <
-                  std::min(largest_drift, drift_over_tolerance * tolerance);
-    if (!moves && residual < allowed && at_rest)
+    // Of the forces, over what it may be: they tell nothing within a cycle.
+    const bool   judges_forces = pulls && !damping.is_within_cycle();
+    const double drift =
+      judges_forces ? reaction_drift() / allowed_drift(tolerance) : 0;
+    if (!moves && residual < allowed)
       {
-        folded = mesh.is_folded(state.q);
-        return folded ? Step::failed : Step::converged;
+        if (!pulls || (judges_forces && drift < 1))
+          {
+            folded = mesh.is_folded(state.q);
+            return folded ? Step::failed : Step::converged;
+          }
+        if (drift > slow_drift && !damping.is_quiet() &&
+            ++n_slow_steps == slow_steps)
+          damping.cycle();
       }
     if (!(residual < diverged))
       return Step::failed;
@@ -368,6 +381,15 @@ namespace fiberloom
       damping.follow_fibers(moves ? prescribed_limit : 0);
     system.motion().advance(state, increment, factor);
     return Step::moved;
+  }
+
+
+
+  double
+  Equilibrium::allowed_drift(const double tolerance) const
+  {
+    const double drift = drift_over_tolerance * tolerance;
+    return damping.has_cycled() ? drift : std::min(largest_drift, drift);
   }
 
 
@@ -633,11 +655,12 @@ namespace fiberloom
                                  const unsigned int largest_iterations,
                                  const double       least_damping)
   {
-    damping.reset(least_damping);
     pulls = follows(problem) &&
             system.motion().moves(problem.before, problem.targets);
+    damping.reset(least_damping);
     last_reactions.clear();
-    in_one_loop = true;
+    n_slow_steps = 0;
+    in_one_loop  = true;
     std::vector<double> residuals;
     unsigned int        stiffenings = 0, since_stiffening = 0;
     const auto          stiffen = [&]() {

@@ -34,6 +34,27 @@ namespace fiberloom
       return value;
     }
 
+    /** Whether it has been lowered where residuals told of creep only. */
+    bool
+    is_quiet() const
+    {
+      return quiet;
+    }
+
+    /** Whether a cycle lies behind. */
+    bool
+    has_cycled() const
+    {
+      return cycled;
+    }
+
+    /** Whether the last step was one from within a cycle. */
+    bool
+    is_within_cycle() const
+    {
+      return within;
+    }
+
     /** Of each of @p n_blocks blocks [N/mm] at the stiffness E r. */
     std::vector<double>
     of_blocks(const unsigned int n_blocks, const double stiffness) const;
@@ -42,9 +63,14 @@ namespace fiberloom
     double
     relaxation(const Eigen::VectorXd &increment) const;
 
-    /** Less while the residuals so far tell of creep only. */
+    /** Less while the residuals so far tell of creep only, or in cycles. */
     void
     follow(const std::vector<double> &residuals);
+
+    /** From the next iteration on in cycles of less and of usual damping: what
+     * is left is slow. */
+    void
+    cycle();
 
     /** After a line search has left the part @p cut of a step. */
     void
@@ -62,7 +88,9 @@ namespace fiberloom
   private:
     const FiberMesh    &mesh;
     double              least = 0, value = 0;
-    bool                quiet    = false;
+    bool                quiet   = false;
+    bool                cycling = false, cycled = false, within = false;
+    unsigned int        position = 0; // in the cycle
     unsigned int        patience = 0; // iterations before it is quiet
     std::vector<double> of_lines;     // over the value; may be empty
     Eigen::VectorXd     last_step;

@@ -157,6 +157,10 @@ namespace fiberloom
     double
     reaction_drift();
 
+    /** Of it, where residuals are below @p tolerance . */
+    double
+    allowed_drift(const double tolerance) const;
+
     /** Whether a step has thrown fibers deep into each other. */
     bool
     is_lost() const;
@@ -230,6 +234,7 @@ namespace fiberloom
     int    last_negative_pivots = 0;
     bool   folded               = false;
 
+    unsigned int n_slow_steps = 0; // of the loop, that still changed forces
     unsigned int n_yardsticks = 0; // whose mean is in the statistics
   };
 } // namespace fiberloom
