@@ -75,11 +75,10 @@ namespace
     checks.equal("goes on, come what may", found[4], 1. / 256);
     checks.equal("ends with the usual damping", found[8], 1);
     checks.that("is over only with the next residual",
-                damping.is_within_cycle());
+                !damping.has_ended_cycle());
     residuals.push_back(.2);
     damping.follow(residuals);
-    checks.that("and then forces can be compared",
-                !damping.is_within_cycle() && damping.has_cycled());
+    checks.that("and then forces can be compared", damping.has_ended_cycle());
     checks.equal("the next begins", damping.over_Er() / least, 1. / 4);
   }
 

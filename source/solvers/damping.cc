@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace fiberloom
 {
@@ -61,9 +62,9 @@ namespace fiberloom
   Damping::reset(const double least)
   {
     this->least = value = least;
-    quiet = cycling = cycled = false;
-    position                 = 0;
-    patience                 = first_patience;
+    quiet = cycling = ends = ended = false;
+    position                       = 0;
+    patience                       = first_patience;
     of_lines.clear();
     last_step.resize(0);
   }
@@ -101,15 +102,15 @@ namespace fiberloom
   void
   Damping::follow(const std::vector<double> &residuals)
   {
-    within = position > 0;
     if (cycling)
       {
+        ended = std::exchange(ends, false);
         value = least;
-        if (within || residuals.back() < cycle_from)
+        if (position > 0 || residuals.back() < cycle_from)
           {
             value *= parts_of_cycle[position];
             position = (position + 1) % parts_of_cycle.size();
-            cycled   = cycled || position == 0;
+            ends     = position == 0;
           }
         return;
       }

@@ -291,8 +291,9 @@ namespace fiberloom
     last_residual         = residual;
     watch({residual, damping.over_Er(), last_factor});
     const double allowed = std::max(tolerance, system.rounding_force() / scale);
-    // Of the forces, over what it may be: they tell nothing within a cycle.
-    const bool   judges_forces = pulls && !damping.is_within_cycle();
+    // Of the forces, over what it may be: from cycle to cycle where there are.
+    const bool judges_forces =
+      pulls && (!damping.cycles() || damping.has_ended_cycle());
     const double drift =
       judges_forces ? reaction_drift() / allowed_drift(tolerance) : 0;
     if (!moves && residual < allowed)
@@ -389,7 +390,7 @@ namespace fiberloom
   Equilibrium::allowed_drift(const double tolerance) const
   {
     const double drift = drift_over_tolerance * tolerance;
-    return damping.has_cycled() ? drift : std::min(largest_drift, drift);
+    return damping.cycles() ? drift : std::min(largest_drift, drift);
   }
 
 

@@ -41,18 +41,17 @@ namespace fiberloom
       return quiet;
     }
 
-    /** Whether a cycle lies behind. */
     bool
-    has_cycled() const
+    cycles() const
     {
-      return cycled;
+      return cycling;
     }
 
-    /** Whether the last step was one from within a cycle. */
+    /** Whether the last step ended one. */
     bool
-    is_within_cycle() const
+    has_ended_cycle() const
     {
-      return within;
+      return ended;
     }
 
     /** Of each of @p n_blocks blocks [N/mm] at the stiffness E r. */
@@ -89,7 +88,7 @@ namespace fiberloom
     const FiberMesh    &mesh;
     double              least = 0, value = 0;
     bool                quiet   = false;
-    bool                cycling = false, cycled = false, within = false;
+    bool                cycling = false, ends = false, ended = false;
     unsigned int        position = 0; // in the cycle
     unsigned int        patience = 0; // iterations before it is quiet
     std::vector<double> of_lines;     // over the value; may be empty
