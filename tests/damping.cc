@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
-// What the damping of the damped loop makes of residuals and steps: it stays
-// where they fall, decays where they creep, comes back where that throws
-// fibers, twice as late the next time, and goes over to cycles in loops that
-// are long and may.
+// What the damping of the damped loop makes of residuals, steps and forces: it
+// stays where residuals fall, decays where they creep, comes back where that
+// throws fibers, twice as late the next time, and goes through cycles where
+// steps go on changing forces.
 
 #include <fiberloom/solvers/damping.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <vector>
 
@@ -64,22 +66,33 @@ namespace
     std::vector<double> residuals{.4, .2};
     residuals.insert(residuals.end(), 7, 2.);
 
-    damping.reset(least);
-    checks.equal("no cycle unless asked for", parts(damping, residuals)[1], 1);
+    double     force = 1;
+    const auto rests = [&](const double factor) {
+      force *= factor;
+      return damping.follow_reactions({force * BodyVector::Ones()}, true, .1);
+    };
 
     damping.reset(least);
-    damping.cycle();
+    rests(1);
+    checks.that("steady forces are at rest", rests(1));
+    checks.that("those that change by 2 % a step are not", !rests(1.02));
+    checks.equal("no cycle yet", parts(damping, residuals)[1], 1);
+
+    damping.reset(least);
+    for (unsigned int i = 0; i < 4; ++i)
+      rests(1.02);
     const auto found = parts(damping, residuals);
     checks.equal("far from balance", found[0], 1);
     checks.equal("a cycle begins", found[1], 1. / 4);
     checks.equal("goes on, come what may", found[4], 1. / 256);
     checks.equal("ends with the usual damping", found[8], 1);
-    checks.that("is over only with the next residual",
-                !damping.has_ended_cycle());
+    checks.that("is over only with the next residual", !rests(1));
     residuals.push_back(.2);
     damping.follow(residuals);
-    checks.that("and then forces can be compared", damping.has_ended_cycle());
     checks.equal("the next begins", damping.over_Er() / least, 1. / 4);
+    checks.that("2 % from one to the next are rest", rests(1.02));
+    checks.that("within the next nothing is",
+                (damping.follow(residuals), !rests(1)));
   }
 
   void

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <limits>
 
 namespace fiberloom
 {
@@ -35,6 +35,14 @@ namespace fiberloom
       {1. / 4, 1. / 16, 1. / 64, 1. / 256, 1. / 256, 1, 1, 1}};
     constexpr double cycle_from = .3;
 
+    // What a damped step of a pull may still change of the forces, over the
+    // largest one, and over the tolerance that step or a whole cycle: soft
+    // fibers give up theirs long after residuals are small. So many steps that
+    // change more than this multiple tell of a motion that many fibers share.
+    constexpr double       largest_drift = .005, drift_over_tolerance = .5;
+    constexpr double       slow_drift = 2;
+    constexpr unsigned int slow_steps = 4;
+
     // Iterations that tell creep; each throw asks for twice as many.
     constexpr unsigned int first_patience = 4;
 
@@ -62,11 +70,12 @@ namespace fiberloom
   Damping::reset(const double least)
   {
     this->least = value = least;
-    quiet = cycling = ends = ended = false;
-    position                       = 0;
-    patience                       = first_patience;
+    quiet = cycles = cycle_ended = false;
+    patience                     = first_patience;
+    position = n_slow = 0;
     of_lines.clear();
     last_step.resize(0);
+    last_forces.clear();
   }
 
 
@@ -102,16 +111,14 @@ namespace fiberloom
   void
   Damping::follow(const std::vector<double> &residuals)
   {
-    if (cycling)
+    if (cycles)
       {
-        ended = std::exchange(ends, false);
+        cycle_ended = position == parts_of_cycle.size();
+        if (cycle_ended)
+          position = 0;
         value = least;
         if (position > 0 || residuals.back() < cycle_from)
-          {
-            value *= parts_of_cycle[position];
-            position = (position + 1) % parts_of_cycle.size();
-            ends     = position == 0;
-          }
+          value *= parts_of_cycle[position++];
         return;
       }
     const bool was_quiet = quiet;
@@ -125,10 +132,37 @@ namespace fiberloom
 
 
 
-  void
-  Damping::cycle()
+  bool
+  Damping::follow_reactions(const std::vector<BodyVector> &reactions,
+                            const bool                     balanced,
+                            const double                   tolerance)
   {
-    cycling = true;
+    if (cycles && !cycle_ended)
+      return false;
+    const double allowed = drift_over_tolerance * tolerance,
+                 drift   = change(reactions) /
+                         (cycles ? allowed : std::min(largest_drift, allowed));
+    if (balanced && drift > slow_drift && !quiet)
+      ++n_slow;
+    cycles = n_slow >= slow_steps;
+    return balanced && drift < 1;
+  }
+
+
+
+  double
+  Damping::change(const std::vector<BodyVector> &reactions)
+  {
+    last_forces.resize(reactions.size(), Vector3::Zero());
+    double largest = std::numeric_limits<double>::min(), change = 0;
+    for (unsigned int b = 0; b < reactions.size(); ++b)
+      {
+        const Vector3 force = reactions[b].head<3>();
+        largest             = std::max(largest, force.norm());
+        change              = std::max(change, (force - last_forces[b]).norm());
+        last_forces[b]      = force;
+      }
+    return change / largest;
   }
 
 

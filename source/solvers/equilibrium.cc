@@ -61,16 +61,6 @@ namespace fiberloom
     // Of contacts that are about to close, over the largest contact force.
     constexpr double approach_force = .01, approach_over_tolerance = .3;
 
-    // What a damped step of a pull, or a cycle of them, may still change of the
-    // forces, over the largest one: soft fibers give up theirs long after
-    // residuals are small. The first bound is that of a single step.
-    constexpr double largest_drift = .005, drift_over_tolerance = .5;
-
-    // Where so many steps change them by more than this multiple although
-    // residuals are small, damping holds up a motion that many fibers share.
-    constexpr double       slow_drift = 2;
-    constexpr unsigned int slow_steps = 4;
-
     // A machine with other work on it is not always as fast.
     constexpr unsigned int yardstick_every = 10;
 
@@ -291,21 +281,14 @@ namespace fiberloom
     last_residual         = residual;
     watch({residual, damping.over_Er(), last_factor});
     const double allowed = std::max(tolerance, system.rounding_force() / scale);
-    // Of the forces, over what it may be: from cycle to cycle where there are.
-    const bool judges_forces =
-      pulls && (!damping.cycles() || damping.has_ended_cycle());
-    const double drift =
-      judges_forces ? reaction_drift() / allowed_drift(tolerance) : 0;
-    if (!moves && residual < allowed)
+    const bool   balanced = !moves && residual < allowed;
+    const bool   at_rest =
+      !pulls ||
+      damping.follow_reactions(system.reactions(), balanced, tolerance);
+    if (balanced && at_rest)
       {
-        if (!pulls || (judges_forces && drift < 1))
-          {
-            folded = mesh.is_folded(state.q);
-            return folded ? Step::failed : Step::converged;
-          }
-        if (drift > slow_drift && !damping.is_quiet() &&
-            ++n_slow_steps == slow_steps)
-          damping.cycle();
+        folded = mesh.is_folded(state.q);
+        return folded ? Step::failed : Step::converged;
       }
     if (!(residual < diverged))
       return Step::failed;
@@ -382,32 +365,6 @@ namespace fiberloom
       damping.follow_fibers(moves ? prescribed_limit : 0);
     system.motion().advance(state, increment, factor);
     return Step::moved;
-  }
-
-
-
-  double
-  Equilibrium::allowed_drift(const double tolerance) const
-  {
-    const double drift = drift_over_tolerance * tolerance;
-    return damping.cycles() ? drift : std::min(largest_drift, drift);
-  }
-
-
-
-  double
-  Equilibrium::reaction_drift()
-  {
-    last_reactions.resize(system.reactions().size(), Vector3::Zero());
-    double largest = std::numeric_limits<double>::min(), change = 0;
-    for (unsigned int b = 0; b < last_reactions.size(); ++b)
-      {
-        const Vector3 force = system.reactions()[b].head<3>();
-        largest             = std::max(largest, force.norm());
-        change = std::max(change, (force - last_reactions[b]).norm());
-        last_reactions[b] = force;
-      }
-    return change / largest;
   }
 
 
@@ -659,9 +616,7 @@ namespace fiberloom
     pulls = follows(problem) &&
             system.motion().moves(problem.before, problem.targets);
     damping.reset(least_damping);
-    last_reactions.clear();
-    n_slow_steps = 0;
-    in_one_loop  = true;
+    in_one_loop = true;
     std::vector<double> residuals;
     unsigned int        stiffenings = 0, since_stiffening = 0;
     const auto          stiffen = [&]() {

@@ -6,6 +6,8 @@
 
 #include <fiberloom/beams/fiber_mesh.h>
 
+#include <fiberloom/coupling/rigid_body.h>
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -34,26 +36,6 @@ namespace fiberloom
       return value;
     }
 
-    /** Whether it has been lowered where residuals told of creep only. */
-    bool
-    is_quiet() const
-    {
-      return quiet;
-    }
-
-    bool
-    cycles() const
-    {
-      return cycling;
-    }
-
-    /** Whether the last step ended one. */
-    bool
-    has_ended_cycle() const
-    {
-      return ended;
-    }
-
     /** Of each of @p n_blocks blocks [N/mm] at the stiffness E r. */
     std::vector<double>
     of_blocks(const unsigned int n_blocks, const double stiffness) const;
@@ -66,10 +48,16 @@ namespace fiberloom
     void
     follow(const std::vector<double> &residuals);
 
-    /** From the next iteration on in cycles of less and of usual damping: what
-     * is left is slow. */
-    void
-    cycle();
+    /**
+     * Whether the forces in @p reactions have come to rest. Where steps go on
+     * changing them although other forces are @p balanced to @p tolerance ,
+     * what is left is slow: damping goes over to cycles, from one to the next
+     * of which forces are compared then.
+     */
+    bool
+    follow_reactions(const std::vector<BodyVector> &reactions,
+                     const bool                     balanced,
+                     const double                   tolerance);
 
     /** After a line search has left the part @p cut of a step. */
     void
@@ -85,14 +73,21 @@ namespace fiberloom
     follow_fibers(const double ends);
 
   private:
-    const FiberMesh    &mesh;
-    double              least = 0, value = 0;
-    bool                quiet   = false;
-    bool                cycling = false, ends = false, ended = false;
-    unsigned int        position = 0; // in the cycle
-    unsigned int        patience = 0; // iterations before it is quiet
-    std::vector<double> of_lines;     // over the value; may be empty
-    Eigen::VectorXd     last_step;
+    /** Largest change of a force since the last call, over the largest force.
+     */
+    double
+    change(const std::vector<BodyVector> &reactions);
+
+    const FiberMesh     &mesh;
+    double               least = 0, value = 0;
+    bool                 quiet    = false;
+    unsigned int         patience = 0; // iterations before it is quiet
+    bool                 cycles = false, cycle_ended = false;
+    unsigned int         position = 0; // steps of the cycle so far
+    unsigned int         n_slow   = 0; // steps that still changed forces
+    std::vector<double>  of_lines;     // over the value; may be empty
+    Eigen::VectorXd      last_step;
+    std::vector<Vector3> last_forces;
   };
 } // namespace fiberloom
 

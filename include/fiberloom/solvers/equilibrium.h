@@ -153,14 +153,6 @@ namespace fiberloom
                  const Eigen::VectorXd &increment,
                  const double           factor) const;
 
-    /** Change of a body's force since the last call, over the largest one. */
-    double
-    reaction_drift();
-
-    /** Of it, where residuals are below @p tolerance . */
-    double
-    allowed_drift(const double tolerance) const;
-
     /** Whether a step has thrown fibers deep into each other. */
     bool
     is_lost() const;
@@ -224,7 +216,6 @@ namespace fiberloom
     double                      longest_step  = 1;
     bool                        in_one_loop   = false;
     bool                        pulls         = false; // in that loop
-    std::vector<Vector3>        last_reactions;
 
     // Of steps that move bodies, over the radius.
     double prescribed_limit;
@@ -234,7 +225,6 @@ namespace fiberloom
     int    last_negative_pivots = 0;
     bool   folded               = false;
 
-    unsigned int n_slow_steps = 0; // of the loop, that still changed forces
     unsigned int n_yardsticks = 0; // whose mean is in the statistics
   };
 } // namespace fiberloom
