@@ -54,7 +54,7 @@ read_all(const std::string &file, const Words &overrides)
 {
   Parameters parameters = Parameters::parse(file, overrides);
   resolve_fabric(parameters);
-  parameters.check_stage_order({});
+  parameters.check_stage_order({}, 0);
   const FiberSet  fibers = build_fiber_set(parameters);
   const FiberMesh mesh(fibers);
   for (const std::string &stage : parameters.stages)

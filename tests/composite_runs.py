@@ -31,12 +31,11 @@ def n_rows(directory):
     return len(curve(directory)) if os.path.exists(file) else 0
 
 
-def check_restart():
-    """After each of the stages and increments of the straight run that can be caught."""
-    settings = [*MATRIX, *SHEAR]
+def check_restart(straight, first, *settings, **options):
+    """After each of the increments of the straight run, from row `first` on, that can be caught."""
     shutil.rmtree("stopped", ignore_errors=True)
-    arguments, n_stops = command(SMALL_WEAVE, "stopped", *settings), 0
-    for rows in range(3, n_rows("sheared_1")):
+    arguments, n_stops = command(SMALL_WEAVE, "stopped", *settings, **options), 0
+    for rows in range(first, n_rows(straight)):
         process = subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         while n_rows("stopped") < rows and process.poll() is None:
             time.sleep(.005)
@@ -46,7 +45,7 @@ def check_restart():
     check(f"stopped {n_stops} times before the end, with {n_rows('stopped')} rows", n_stops > 0)
     process = subprocess.run(arguments, capture_output=True)
     check(f"  taken to the end: status {process.returncode}", process.returncode == 0)
-    check_same("  curve of the straight run", "sheared_1", "stopped", 1e-10)
+    check_same("  curve of the straight run", straight, "stopped", 1e-10)
 
 
 def check_refusal(what, words, *settings, scene=SMALL_WEAVE, **options):
@@ -71,7 +70,7 @@ def main():
 
     check_run("sheared on 2 ranks", "sheared_2", *MATRIX, *SHEAR, ranks=2)
     check_same("  curve", "sheared_1", "sheared_2", 1e-4)
-    check_restart()
+    check_restart("sheared_1", 3, *MATRIX, *SHEAR)
 
     checkpoint = os.path.join("coated", "checkpoint")
     check_run("coated", "coated", *MATRIX, "Stages=weave, relax, coat")
@@ -91,6 +90,9 @@ def main():
                   "Matrix/Young modulus=60", restart=checkpoint)
     check_refusal("coated twice", ["Stages", "once"], *MATRIX, "Stages=coat", restart=checkpoint)
     woven = os.path.join("dry", "checkpoint")
+    from_woven = [*MATRIX, "Stages=coat, shear", *SHEAR[1:]]
+    check_run("from a woven state", "from_woven", *from_woven, restart=woven)
+    check_restart("from_woven", 1, *from_woven, restart=woven)
     check_refusal("layers that meet", ["Overlap"], *MATRIX, "Stages=coat", "Matrix/Overlap=0.1",
                   "Matrix/Thickness=0.2", restart=woven)
     check_refusal("a mesh too coarse", ["too coarse", "Cells along x"], *MATRIX, "Stages=coat", "Matrix/Cells along x=1",

@@ -79,11 +79,19 @@ namespace
     checks.equal("no cycle yet", parts(damping, residuals)[1], 1);
 
     damping.reset(least);
+    for (const double factor : {1.02, 1.02, 1.02, 1., 1.02})
+      rests(factor);
+    checks.equal("nor after four that are not in a row",
+                 parts(damping, residuals)[1],
+                 1);
+
+    damping.reset(least);
     for (unsigned int i = 0; i < 4; ++i)
       rests(1.02);
     const auto found = parts(damping, residuals);
     checks.equal("far from balance", found[0], 1);
     checks.equal("a cycle begins", found[1], 1. / 4);
+    checks.equal("with shifts as usual", damping.usual_over_Er() / least, 1);
     checks.equal("goes on, come what may", found[4], 1. / 256);
     checks.equal("ends with the usual damping", found[8], 1);
     checks.that("is over only with the next residual", !rests(1));

@@ -15,24 +15,33 @@ from program_runs import SMALL_WEAVE, SOURCE, check, curve, finish, run, unit
 
 FACTOR = 3  # that estimates may be off by
 
-BEND, WEAVE = (os.path.join(SOURCE, "prm", "verification", name + ".prm") for name in ("a3_bend_45", "k3_plain_weave_4x4"))
+BEND, ROPE, WEAVE = (os.path.join(SOURCE, "prm", "verification", name + ".prm")
+                     for name in ("a3_bend_45", "b1_rope", "k3_plain_weave_4x4"))
 # Where places are at the start; other columns begin at zero.
 BEGUN = {"tip_x[mm]": 100 * math.sin(math.pi / 4), "tip_y[mm]": 100 - 100 * math.cos(math.pi / 4)}
 
 TIGHT = ["Solver/Contact tolerance=1e-5"]
 FABRIC = ["Fabric/Warp/Elements per fiber=12", "Contact/Stations per element=1", "Solver/Contact tolerance=0.002"]
+STIFF = "Contact/Line stiffness=753368.8"
+FINE_WEAVE = ["Fibers/Elements per fiber=64", "Contact/Stations per element=1", "Contact/Largest penetration=0.00125"]
 
 # scene, settings, part of the estimate, settings of the run to compare with
 CASES = [
     ("bend_8_elements", BEND, [], "mesh", ["Fibers/Elements per fiber=64"]),
     ("bend_4_elements", BEND, ["Fibers/Elements per fiber=4"], "mesh", ["Fibers/Elements per fiber=64"]),
+    ("rope", ROPE, [], "penetration", [STIFF]),
+    ("rope", ROPE, [], "total", [STIFF, "Fibers/Elements per fiber=48"]),
     ("weave", WEAVE, [], "mesh", ["Fibers/Elements per fiber=64"]),
     ("weave", WEAVE, [], "penetration", ["Contact/Largest penetration=0.00125"]),
+    ("weave", WEAVE, [], "total", FINE_WEAVE),
     ("weave_4_percent", WEAVE, ["Contact/Largest penetration=0.04"], "penetration", ["Contact/Largest penetration=0.00125"]),
     ("weave_8_elements", WEAVE, ["Fibers/Elements per fiber=8"], "mesh", ["Fibers/Elements per fiber=64"]),
+    ("weave_8_elements", WEAVE, ["Fibers/Elements per fiber=8"], "total", FINE_WEAVE),
     ("fabric", SMALL_WEAVE, FABRIC, "mesh", ["Fabric/Warp/Elements per fiber=36", "Contact/Stations per element=0.34"]),
     ("fabric", SMALL_WEAVE, FABRIC, "stations", ["Contact/Stations per element=4"]),
     ("fabric", SMALL_WEAVE, FABRIC, "penetration", ["Contact/Largest penetration=0.004"]),
+    ("fabric", SMALL_WEAVE, FABRIC, "total", ["Fabric/Warp/Elements per fiber=36", "Contact/Stations per element=1.4",
+                                              "Contact/Largest penetration=0.004"]),
 ]
 QUIET = ["Output/Pictures=false", "Output/Slices=none", "Output/Fields every=0"]
 

@@ -423,16 +423,11 @@ namespace fiberloom
   }
 
   void
-  Parameters::check_stage_order(
-    const std::vector<std::string> &stages_done) const
+  Parameters::check_stage_order(const std::vector<std::string> &stages_done,
+                                const unsigned int              next) const
   {
-    const bool goes_on =
-      stages_done.size() <= stages.size() &&
-      std::equal(stages_done.begin(), stages_done.end(), stages.begin());
-    std::vector<std::string> sequence;
-    if (!goes_on)
-      sequence = stages_done;
-    sequence.insert(sequence.end(), stages.begin(), stages.end());
+    std::vector<std::string> sequence = stages_done;
+    sequence.insert(sequence.end(), stages.begin() + next, stages.end());
 
     if (std::count(sequence.begin(), sequence.end(), "coat") > 1)
       throw InputError(where("Stages") + ": there is a matrix already; "

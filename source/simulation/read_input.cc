@@ -22,7 +22,7 @@ namespace fiberloom
         Parameters::parse(command_line.file, command_line.overrides);
       resolve_fabric(parameters);
       if (command_line.restart.empty())
-        parameters.check_stage_order({});
+        parameters.check_stage_order({}, 0);
       return parameters;
     }
 

@@ -80,11 +80,11 @@ namespace fiberloom
     restart =
       read_checkpoint(command_line.restart, describe_model(fibers, mesh), comm);
     const State &before = restart.state;
-    parameters.check_stage_order(before.stages_done);
+    const auto  &stages = parameters.stages;
+    const auto   next   = next_stage();
+    parameters.check_stage_order(before.stages_done, next.value_or(0));
     check_matrix(parameters, before.matrix);
-    const auto &stages = parameters.stages;
-    const auto  next   = next_stage();
-    state              = before;
+    state = before;
     if (!next)
       state.begin_stage(0);
     else if (*next == stages.size() || stages[*next] != before.stage_name())

@@ -37,8 +37,9 @@ namespace fiberloom
 
     // What a damped step of a pull may still change of the forces, over the
     // largest one, and over the tolerance that step or a whole cycle: soft
-    // fibers give up theirs long after residuals are small. So many steps that
-    // change more than this multiple tell of a motion that many fibers share.
+    // fibers give up theirs long after residuals are small. So many steps in a
+    // row that change more than this multiple tell of a motion that many fibers
+    // share.
     constexpr double       largest_drift = .005, drift_over_tolerance = .5;
     constexpr double       slow_drift = 2;
     constexpr unsigned int slow_steps = 4;
@@ -142,9 +143,8 @@ namespace fiberloom
     const double allowed = drift_over_tolerance * tolerance,
                  drift   = change(reactions) /
                          (cycles ? allowed : std::min(largest_drift, allowed));
-    if (balanced && drift > slow_drift && !quiet)
-      ++n_slow;
-    cycles = n_slow >= slow_steps;
+    n_slow = balanced && drift > slow_drift && !quiet ? n_slow + 1 : 0;
+    cycles = cycles || n_slow == slow_steps;
     return balanced && drift < 1;
   }
 

@@ -35,7 +35,7 @@ namespace fiberloom
     forget() = 0;
 
     virtual int
-    factorize(const BlockMatrix &matrix) = 0;
+    factorize(const BlockMatrix &matrix, const double dropped) = 0;
 
     virtual void
     solve(const BlockLayout &layout, double *owned_values) = 0;
@@ -297,6 +297,11 @@ namespace fiberloom
       control(data, 18) = 3;  // distributed entries
       control(data, 28) = 1;  // sequential analysis
       data.cntl[0]      = 0;  // no numerical pivoting
+      if (sections)
+        {
+          control(data, 35) = 2; // low-rank blocks, in the solution as well,
+          control(data, 36) = 1; // compressed before they are solved for
+        }
     }
 
     ~Typed() override
@@ -340,8 +345,9 @@ namespace fiberloom
     }
 
     int
-    factorize(const BlockMatrix &matrix) override
+    factorize(const BlockMatrix &matrix, const double dropped) override
     {
+      data.cntl[6] = dropped;
       fill_values(matrix);
 
       data.a_loc = values.data();
@@ -571,9 +577,9 @@ namespace fiberloom
 
 
   int
-  DirectFactor::factorize(const BlockMatrix &matrix)
+  DirectFactor::factorize(const BlockMatrix &matrix, const double dropped)
   {
-    return implementation->factorize(matrix);
+    return implementation->factorize(matrix, dropped);
   }
 
 

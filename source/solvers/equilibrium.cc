@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace fiberloom
 {
@@ -312,7 +311,7 @@ namespace fiberloom
         state.q,
         system.right_hand_side(),
         damping.of_blocks(system.layout().n_blocks(), system.stiffness_scale()),
-        std::max(shift_over_Er, shift_over_damping * damping.over_Er()) *
+        std::max(shift_over_Er, shift_over_damping * damping.usual_over_Er()) *
           system.stiffness_scale(),
         solution,
         !has_potential,

@@ -26,6 +26,10 @@ namespace fiberloom
     // another matrix: Krylov's method needs fewer.
     constexpr double largest_contraction = .01;
 
+    // What low-rank blocks may leave out, over the least damping, so that they
+    // hardly make a pivot negative.
+    constexpr double dropped_over_damping = .25;
+
     // Beyond so many it may be rounding that makes pivots negative.
     constexpr unsigned int largest_single_shifts = 3;
 
@@ -150,16 +154,14 @@ namespace fiberloom
 
 
 
-    /** Number of negative pivots, -1 where it fails; adds to @p outcome . */
-    template <typename Factor>
+    /** What @p factorize returns; adds to @p outcome . */
+    template <typename Factorize>
     int
-    factorize(Factor                &factor,
-              const BlockMatrix     &matrix,
-              LinearSolver::Outcome &outcome)
+    timed(LinearSolver::Outcome &outcome, const Factorize &factorize)
     {
       ScopedTimer timer(outcome.factorization);
       ++outcome.factorizations;
-      return factor.factorize(matrix);
+      return factorize();
     }
 
 
@@ -192,6 +194,8 @@ namespace fiberloom
   {
     Outcome outcome;
     relative_tolerance = tolerance;
+    dropped =
+      dropped_over_damping * *std::min_element(damping.begin(), damping.end());
     matrix.add_to_diagonal(damping);
 
     solution.resize(right_hand_side.size());
@@ -249,7 +253,9 @@ namespace fiberloom
       {
         if (attempt > 0)
           shift_more(matrix, attempt, shift_unit, outcome);
-        const int negative_pivots = factorize(*sections, matrix, outcome);
+        const int negative_pivots = timed(outcome, [&]() {
+          return sections->factorize(matrix, dropped);
+        });
         if (attempt == 0)
           outcome.negative_pivots = negative_pivots;
         if (negative_pivots < 0 || (negative_pivots > 0 && !may_be_indefinite))
@@ -284,7 +290,8 @@ namespace fiberloom
     }
     for (unsigned int attempt = 0;; ++attempt)
       {
-        const int negative_pivots = factorize(*factor, matrix, outcome);
+        const int negative_pivots =
+          timed(outcome, [&]() { return factor->factorize(matrix); });
         if (attempt == 0)
           outcome.negative_pivots = negative_pivots;
         if (negative_pivots == 0 || (negative_pivots > 0 && may_be_indefinite))
@@ -354,7 +361,8 @@ namespace fiberloom
       ScopedTimer timer(outcome.analysis);
       blocks->analyse(matrix);
     }
-    outcome.negative_pivots = factorize(*blocks, matrix, outcome);
+    outcome.negative_pivots =
+      timed(outcome, [&]() { return blocks->factorize(matrix); });
     if (outcome.negative_pivots != 0 ||
         !iterate(matrix, *blocks, b, x, relative_tolerance, outcome))
       return false;

@@ -50,7 +50,8 @@ namespace fiberloom
 
 
   int
-  SectionPreconditioner::factorize(const BlockMatrix &matrix)
+  SectionPreconditioner::factorize(const BlockMatrix &matrix,
+                                   const double       dropped)
   {
     this->matrix              = &matrix;
     const BlockLayout &layout = matrix.layout();
@@ -70,7 +71,7 @@ namespace fiberloom
           compliances[row] = cholesky.solve(Matrix3::Identity());
         }
     n_soft = dealii::Utilities::MPI::sum(n_soft, layout.communicator());
-    const int negative_pivots = factor.factorize(matrix);
+    const int negative_pivots = factor.factorize(matrix, dropped);
     return negative_pivots < 0 ? negative_pivots : negative_pivots + n_soft;
   }
 

@@ -303,12 +303,13 @@ namespace fiberloom
     check() const;
 
     /**
-     * Throws InputError when the stages make no sense after @p stages_done ,
-     * those that the restart file has behind it (none without one). Stages
-     * that begin with @p stages_done continue that run; others come after it.
+     * Throws InputError when the stages from number @p next on make no sense
+     * after @p stages_done , those that the restart file has behind it (none
+     * without one).
      */
     void
-    check_stage_order(const std::vector<std::string> &stages_done) const;
+    check_stage_order(const std::vector<std::string> &stages_done,
+                      const unsigned int              next) const;
 
     /**
      * Where the value of the entry @p path ("Fabric/Warp/Tows") was given,

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <vector>
 
 namespace fiberloom
@@ -34,6 +35,13 @@ namespace fiberloom
     over_Er() const
     {
       return value;
+    }
+
+    /** Not less than outside of cycles and quiet ends. */
+    double
+    usual_over_Er() const
+    {
+      return std::max(value, least);
     }
 
     /** Of each of @p n_blocks blocks [N/mm] at the stiffness E r. */
@@ -84,7 +92,7 @@ namespace fiberloom
     unsigned int         patience = 0; // iterations before it is quiet
     bool                 cycles = false, cycle_ended = false;
     unsigned int         position = 0; // steps of the cycle so far
-    unsigned int         n_slow   = 0; // steps that still changed forces
+    unsigned int         n_slow   = 0; // steps in a row that changed forces
     std::vector<double>  of_lines;     // over the value; may be empty
     Eigen::VectorXd      last_step;
     std::vector<Vector3> last_forces;

@@ -48,7 +48,8 @@ namespace fiberloom
     };
 
     /** Where @p sections are given, which are kept by reference, only their
-     * motions are factorised, and vectors are in their layout. */
+     * motions are factorised, with low-rank blocks, and vectors are in their
+     * layout. */
     DirectFactor(const MPI_Comm       comm,
                  const Precision      precision,
                  const Part           part     = Part::all,
@@ -72,10 +73,11 @@ namespace fiberloom
     /**
      * Factorises @p matrix , which has been analysed. Returns the number of
      * negative pivots, or -1 when the factorisation failed (singular). Throws
-     * StageFailure when memory runs out.
+     * StageFailure when memory runs out. Blocks of low rank leave out
+     * @p dropped , an absolute size [N/mm].
      */
     int
-    factorize(const BlockMatrix &matrix);
+    factorize(const BlockMatrix &matrix, const double dropped = 0);
 
     /** Solves for the owned parts in place. */
     void

@@ -124,12 +124,13 @@ namespace fiberloom
                     Epetra_Vector &x,
                     Outcome       &outcome);
 
-    const System                          &system;
-    const std::string                      name;
-    double                                 relative_tolerance = 0;
-    bool                                   gave_way           = false;
-    DirectFactor::Precision                precision;
-    std::unique_ptr<DirectFactor>          factor;    // or null
+    const System                 &system;
+    const std::string             name;
+    double                        relative_tolerance = 0;
+    double                        dropped  = 0; // by low-rank blocks [N/mm]
+    bool                          gave_way = false;
+    DirectFactor::Precision       precision;
+    std::unique_ptr<DirectFactor> factor;             // or null
     std::unique_ptr<SectionPreconditioner> sections;  // or null
     std::unique_ptr<BlockPreconditioner>   blocks;    // or null
     std::unique_ptr<Multigrid>             multigrid; // or null

@@ -37,7 +37,7 @@ namespace fiberloom
     /** As DirectFactor::factorize(), of motions and strains; keeps a reference.
      */
     int
-    factorize(const BlockMatrix &matrix);
+    factorize(const BlockMatrix &matrix, const double dropped);
 
     int
     ApplyInverse(const Epetra_MultiVector &x,
