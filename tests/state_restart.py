@@ -95,6 +95,8 @@ def check_lists():
     again = run(SMALL_WEAVE, "later", pull, restart=os.path.join("later", "checkpoint"))
     check(f"  restarted: status {again.returncode}", again.returncode == 0)
     check_same_files("pulled", "later")
+    done = run(SMALL_WEAVE, "later", pull, restart=os.path.join("later", "checkpoint"))
+    check("nothing is left of it", done.returncode == 0 and "nothing is left to do" in done.stdout)
 
     done = run(SMALL_WEAVE, "woven", "Stages=weave, relax", restart=checkpoint)
     check("nothing is left", done.returncode == 0 and "nothing is left to do" in done.stdout)

@@ -141,6 +141,15 @@ namespace fiberloom
 
 
 
+  double
+  BlockMatrix::least_addition(const std::vector<double> &values) const
+  {
+    return std::min(1., matrix_weight) *
+           *std::min_element(values.begin(), values.end());
+  }
+
+
+
   double *
   BlockMatrix::block(const unsigned int row, const unsigned int column)
   {

@@ -106,8 +106,8 @@ namespace fiberloom
     if (done.size() <= stages.size() &&
         std::equal(done.begin(), done.end(), stages.begin()))
       return done.size();
-    // An interrupted run that itself had started from another's state.
-    if (before.scene_stages == stages && before.stage < stages.size())
+    // A run that itself had started from another's state.
+    if (before.scene_stages == stages)
       return before.stage;
     return {};
   }

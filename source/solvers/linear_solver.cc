@@ -194,8 +194,7 @@ namespace fiberloom
   {
     Outcome outcome;
     relative_tolerance = tolerance;
-    dropped =
-      dropped_over_damping * *std::min_element(damping.begin(), damping.end());
+    dropped            = dropped_over_damping * matrix.least_addition(damping);
     matrix.add_to_diagonal(damping);
 
     solution.resize(right_hand_side.size());

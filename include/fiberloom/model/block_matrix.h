@@ -52,6 +52,10 @@ namespace fiberloom
     void
     add_to_diagonal(const std::vector<double> &values);
 
+    /** The least of what that adds to displacements. */
+    double
+    least_addition(const std::vector<double> &values) const;
+
     /** Where the block (row, column) is stored, row by row; the row is owned.
      */
     double *
