@@ -14,6 +14,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -86,6 +87,26 @@ namespace
   along_x(const double z = 0)
   {
     return straight_fiber({-20, 0, z}, {20, 0, z}, 4);
+  }
+
+  // Held side by side at one end, from where they part, as at the end of a tow:
+  // their tangents are perpendicular to a plane in which they overlap.
+  void
+  check_parting(Checks &checks)
+  {
+    const Vector3 begin(0, 1, std::sqrt(3.));
+    double        deepest = 0;
+    for (double angle = .05; angle < 1.5; angle += .05)
+      {
+        const Vector3 away(std::cos(angle), 0, std::sin(angle));
+        Model         model({straight_fiber({0, 0, 0}, {20, 0, 0}, 4),
+                             straight_fiber(begin, begin + 20 * away, 4)});
+        for (const ContactElement &contact : model.generate())
+          deepest = std::max(deepest, -contact.gap);
+      }
+    checks.below("fibers that part from their ends: penetration",
+                 deepest,
+                 1e-12);
   }
 
   void
@@ -672,6 +693,7 @@ main(int argc, char **argv)
     output.open("output");
   Checks checks(output);
   check_crossing(checks);
+  check_parting(checks);
   check_parallel(checks);
   check_hysteresis(checks);
   check_bent_around(checks);

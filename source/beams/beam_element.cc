@@ -223,10 +223,18 @@ namespace fiberloom
   bool
   BeamElement::is_folded(const Vector &q) const
   {
+    // Stretches of the line and of sections below which shortening further
+    // takes less force, by a law that is quadratic in Green-Lagrange strains.
+    constexpr double least_squared = 1. / 3;
     return std::any_of(points.begin(), points.end(), [&](const auto &point) {
       const auto vectors =
         Interpolation(point.shape, point.derivative, radius)(q);
-      return vectors[0].cross(vectors[1]).dot(vectors[2]) <= 0;
+      return vectors[0].cross(vectors[1]).dot(vectors[2]) <= 0 ||
+             std::any_of(vectors.begin(),
+                         vectors.begin() + 3,
+                         [](const Vector3 &v) {
+                           return v.squaredNorm() < least_squared;
+                         });
     });
   }
 

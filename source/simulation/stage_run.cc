@@ -187,8 +187,8 @@ namespace fiberloom
   StageRun::advice() const
   {
     if (equilibrium.ends_folded())
-      return ", where elements of a fiber have folded; a smaller \"Largest "
-             "move\" or longer elements may help";
+      return ", where elements of a fiber have folded or sections have given "
+             "way; a smaller \"Largest move\" or longer elements may help";
     if (equilibrium.contacts().empty())
       return ", without contact; a larger \"Newton tolerance\" or a shorter "
              "\"Largest step\" may help";

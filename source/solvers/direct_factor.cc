@@ -347,6 +347,8 @@ namespace fiberloom
     int
     factorize(const BlockMatrix &matrix, const double dropped) override
     {
+      if (sections)
+        control(data, 35) = dropped > 0 ? 2 : 0;
       data.cntl[6] = dropped;
       fill_values(matrix);
 

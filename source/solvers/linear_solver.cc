@@ -18,7 +18,7 @@ namespace fiberloom
     constexpr unsigned int single_precision_from = 20000;
 
     constexpr int          krylov_space   = 60;
-    constexpr unsigned int largest_cycles = 5;
+    constexpr unsigned int largest_cycles = 5, largest_section_cycles = 2;
     constexpr double       shift_growth   = 8;
     constexpr unsigned int largest_shifts = 12;
 
@@ -104,7 +104,8 @@ namespace fiberloom
             Epetra_Vector         &x,
             const double           relative_tolerance,
             LinearSolver::Outcome &outcome,
-            const bool             is_exact = true)
+            const bool             is_exact = true,
+            const unsigned int     cycles   = largest_cycles)
     {
       ScopedTimer timer(outcome.krylov);
       double      norm;
@@ -142,7 +143,7 @@ namespace fiberloom
       krylov.SetAztecOption(AZ_conv, AZ_rhs);
       // The method estimates its residual as if the preconditioner were
       // exactly linear; in single precision it is not, so the true one decides.
-      for (unsigned int cycle = 0; cycle < largest_cycles; ++cycle)
+      for (unsigned int cycle = 0; cycle < cycles; ++cycle)
         {
           krylov.Iterate(krylov_space, relative_tolerance);
           outcome.iterations += krylov.NumIters();
@@ -259,9 +260,21 @@ namespace fiberloom
           outcome.negative_pivots = negative_pivots;
         if (negative_pivots < 0 || (negative_pivots > 0 && !may_be_indefinite))
           continue;
-        if (!iterate(
-              matrix, *sections, b, x, relative_tolerance, outcome, false))
-          return false;
+        if (!iterate(matrix,
+                     *sections,
+                     b,
+                     x,
+                     relative_tolerance,
+                     outcome,
+                     false,
+                     largest_section_cycles))
+          {
+            // Nearly singular: more damping helps a damped step, and is far
+            // cheaper than a factor of the whole.
+            if (dropped == 0 || may_be_indefinite)
+              return false;
+            continue;
+          }
         // Motions and strains may both be definite where the whole is not.
         double slope;
         x.Dot(b, &slope);

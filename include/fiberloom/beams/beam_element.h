@@ -72,8 +72,9 @@ namespace fiberloom
     section_forces(const Vector &q, const unsigned int gauss_point) const;
 
     /**
-     * Whether the centre line runs against its sections somewhere. The law has
-     * no stress at a stretch of -1, so that equations alone can lead there.
+     * Whether the centre line runs against its sections somewhere, or a stretch
+     * of it or of a section is below 1/sqrt(3). The law has no stress at a
+     * stretch of -1, so that equations alone can lead there.
      */
     bool
     is_folded(const Vector &q) const;

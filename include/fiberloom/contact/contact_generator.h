@@ -138,6 +138,11 @@ namespace fiberloom
               const ContactState                         &before,
               const bool crossing_if_new) const;
 
+    /** Whether @p u is at an end of one of the two fibers. */
+    bool
+    is_at_end(const std::array<unsigned int, 2> &pair,
+              const ParameterPair               &u) const;
+
     /**
      * Length of @p zone over that of two straight fibers that touch at the
      * angle of @p cosine .
