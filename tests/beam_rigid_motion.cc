@@ -2,7 +2,8 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 // Rigid motions cost nothing, forces turn with a deformed element (case A7 of
-// the reference cases), and nothing but the six rigid motions is free.
+// the reference cases), nothing but the six rigid motions is free, and what is
+// pressed too far is known.
 
 #include <fstream>
 
@@ -82,6 +83,27 @@ namespace
     checks.below(name + ": section forces, too", change_of_section, 1e-10);
   }
 
+  // The law gives way from a stretch of 0.577 on, and has no stress at -1.
+  void
+  check_folding(Checks                &checks,
+                const BeamElement     &element,
+                const Eigen::VectorXd &reference)
+  {
+    const auto folds = [&](const unsigned int vector, const double stretch) {
+      Eigen::VectorXd q = reference;
+      for (Eigen::Index i = 3 * vector; i < q.size(); i += 9)
+        q.segment<3>(i) *= stretch;
+      return element.is_folded(q);
+    };
+    for (const unsigned int vector : {0, 1, 2})
+      {
+        const std::string name = "folded, vector " + std::to_string(vector);
+        checks.equal(name + " of 0.58", folds(vector, .58), false);
+        checks.equal(name + " of 0.57", folds(vector, .57), true);
+        checks.equal(name + " of -1", folds(vector, -1), true);
+      }
+  }
+
   void
   count_zero_modes(std::ostream      &output,
                    Checks            &checks,
@@ -127,6 +149,7 @@ main()
                         "straight",
                         straight.element(0),
                         straight.reference());
+          check_folding(checks, straight.element(0), straight.reference());
           check_motions(checks,
                         "curved",
                         curved.element(0),
