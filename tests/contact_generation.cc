@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
-// Where contact elements are put, with which normals, and what zones remember;
-// each check names what would go wrong otherwise. Radii are 1.
+// Where contact elements are put, and with which normals; each check names what
+// would go wrong otherwise. Radii are 1.
 
 #include <fiberloom/base/parameters.h>
 
@@ -21,74 +21,12 @@
 #include <utility>
 
 #include "checks.h"
-#include "sample_fibers.h"
+#include "contact_model.h"
 
 using namespace fiberloom;
 
 namespace
 {
-  const ContactRule standard;
-
-  ContactParameters
-  contact_parameters(const double line_stiffness)
-  {
-    ContactParameters parameters;
-    parameters.line_stiffness       = line_stiffness;
-    parameters.largest_penetration  = .02;
-    parameters.stations_per_element = 2;
-    return parameters;
-  }
-
-  /** Fibers with all that generation refers to. */
-  struct Model
-  {
-    const FiberSet          fibers;
-    const FiberMesh         mesh;
-    const ContactParameters parameters;
-    ContactGenerator        generator;
-    DofVector               q;
-    ContactState            state;
-
-    explicit Model(const std::vector<Fiber> &list,
-                   const double              line_stiffness = 0)
-      : Model(loose_fibers(list), line_stiffness)
-    {}
-
-    explicit Model(const FiberSet &set, const double line_stiffness = 0)
-      : fibers(set)
-      , mesh(fibers)
-      , parameters(contact_parameters(line_stiffness))
-      , generator(fibers, mesh, parameters, MPI_COMM_WORLD)
-      , q(mesh.reference())
-    {}
-
-    std::vector<ContactElement>
-    generate(const ContactRule &rule = standard)
-    {
-      return generator.generate(q, q, rule, state);
-    }
-
-    void
-    shift(const unsigned int fiber, const Vector3 &by)
-    {
-      const auto &line = mesh.lines()[fiber];
-      for (unsigned int n = 0; n < line.n_nodes(); ++n)
-        q.segment<3>(9 * (line.first_node + n)) += by;
-    }
-
-    double
-    u(const ContactElement &contact, const unsigned int side) const
-    {
-      return mesh.parameter(contact.points[side]);
-    }
-  };
-
-  Fiber
-  along_x(const double z = 0)
-  {
-    return straight_fiber({-20, 0, z}, {20, 0, z}, 4);
-  }
-
   // Held side by side at one end, from where they part, as at the end of a tow:
   // their tangents are perpendicular to a plane in which they overlap.
   void
@@ -99,7 +37,7 @@ namespace
     for (double angle = .05; angle < 1.5; angle += .05)
       {
         const Vector3 away(std::cos(angle), 0, std::sin(angle));
-        Model         model({straight_fiber({0, 0, 0}, {20, 0, 0}, 4),
+        ContactModel  model({straight_fiber({0, 0, 0}, {20, 0, 0}, 4),
                              straight_fiber(begin, begin + 20 * away, 4)});
         for (const ContactElement &contact : model.generate())
           deepest = std::max(deepest, -contact.gap);
@@ -112,8 +50,9 @@ namespace
   void
   check_crossing(Checks &checks)
   {
-    Model model({along_x(), straight_fiber({3, -20, 1.9}, {3, 20, 1.9}, 4)});
-    auto  contacts = model.generate();
+    ContactModel model(
+      {along_x(), straight_fiber({3, -20, 1.9}, {3, 20, 1.9}, 4)});
+    auto contacts = model.generate();
     checks.equal("crossing: contacts", contacts.size(), 1);
     checks.equal("crossing: on the first", model.u(contacts[0], 0), 2.3);
     checks.equal("crossing: on the second", model.u(contacts[0], 1), 2);
@@ -142,7 +81,7 @@ namespace
   void
   check_parallel(Checks &checks)
   {
-    Model model({along_x(), along_x(1.95)});
+    ContactModel model({along_x(), along_x(1.95)});
     model.shift(1, {.37, 0, 0});
     const auto contacts = model.generate();
     checks.equal("parallel: contacts", contacts.size(), 8);
@@ -161,48 +100,6 @@ namespace
     checks.below("stations stay on the first fiber as the second slides",
                  wrong,
                  1e-9);
-  }
-
-  /** The second fiber at an angle to the first, above its middle. */
-  void
-  set_angle(Model &model, const double cosine)
-  {
-    const Vector3 along(cosine, std::sqrt(1 - cosine * cosine), 0);
-    const auto   &line = model.mesh.lines()[1];
-    for (unsigned int n = 0; n < line.n_nodes(); ++n)
-      model.q.segment<9>(9 * (line.first_node + n))
-        << (5. * n - 20) * along + Vector3(0, 0, 1.9),
-        Vector3::UnitZ(), along.cross(Vector3::UnitZ());
-  }
-
-  void
-  check_hysteresis(Checks &checks)
-  {
-    Model model({along_x(), along_x(1.9)});
-    const std::array<std::pair<double, bool>, 6> path{{{.5, true},
-                                                       {.92, true},
-                                                       {.96, false},
-                                                       {.88, false},
-                                                       {.84, true},
-                                                       {.92, true}}};
-    for (const auto &[cosine, crossing] : path)
-      {
-        set_angle(model, cosine);
-        const auto contacts = model.generate();
-        checks.that("class at " + std::to_string(cosine) + " with history",
-                    model.state.zones.size() == 1 &&
-                      model.state.zones[0].crossing == crossing &&
-                      (contacts.size() == 1) == crossing);
-      }
-    for (const auto &[cosine, crossing] :
-         {std::make_pair(.92, false), std::make_pair(.88, true)})
-      {
-        model.state = ContactState();
-        set_angle(model, cosine);
-        model.generate();
-        checks.that("class at " + std::to_string(cosine) + " without",
-                    model.state.zones[0].crossing == crossing);
-      }
   }
 
   /**
@@ -226,10 +123,11 @@ namespace
           8,
           Vector3(-along.y(), along.x(), 0));
       };
-      return Model({arc(1, Vector3::UnitX()), arc(-1, {cosine, sine, 0})});
+      return ContactModel(
+        {arc(1, Vector3::UnitX()), arc(-1, {cosine, sine, 0})});
     };
     const auto check =
-      [&](const std::string &what, Model &model, const bool crossing) {
+      [&](const std::string &what, ContactModel &model, const bool crossing) {
         model.generate();
         checks.that(what,
                     model.state.zones.size() == 1 &&
@@ -237,7 +135,7 @@ namespace
       };
 
     // Drift over that of straight fibers: 1 - 1.94/radius/(1 - cosine).
-    Model model = arcs(.6, 15);
+    ContactModel model = arcs(.6, 15);
     check("arcs that drift apart cross", model, true);
     model.q = arcs(.6, 9.6).q;
     check("they still do where half of the drift is left", model, true);
@@ -247,60 +145,8 @@ namespace
     check("and still do with half of it", model, false);
     model.q = arcs(.6, 15).q;
     check("until they drift apart again", model, true);
-    Model nearly_square = arcs(.2, 4.3);
+    ContactModel nearly_square = arcs(.2, 4.3);
     check("near a right angle they cross with less, too", nearly_square, true);
-  }
-
-  /** The most stations in a cell of the only zone. */
-  unsigned int
-  stations_of(Model &model)
-  {
-    model.generate();
-    unsigned int most = 1;
-    for (const auto &cell : model.state.zones.at(0).divided)
-      most = std::max(most, cell.second);
-    return most;
-  }
-
-  /**
-   * Cells of parallel fibers keep their number of stations until seven tenths
-   * of the overlap would do with fewer; without that, stations come and go,
-   * with force on them, as an angle hardly moves.
-   */
-  void
-  check_stations_stay(Checks &checks)
-  {
-    Model        kept({along_x(), along_x(1.9)});
-    const double first    = .3; // rad; within the class of parallel fibers
-    const auto   count_at = [&](const double angle, const bool history) {
-      set_angle(kept, std::cos(angle));
-      if (history)
-        return stations_of(kept);
-      const ContactState state = std::exchange(kept.state, ContactState());
-      const unsigned int parts = stations_of(kept);
-      kept.state               = state;
-      return parts;
-    };
-    const unsigned int most = count_at(first, true);
-    checks.above("stations in a cell at an angle", most, 1.5);
-
-    double without = 0, with = 0, angle = first;
-    for (; with == 0 && angle > .05; angle /= 1.01)
-      {
-        if (without == 0 && count_at(angle, false) < most)
-          without = angle;
-        if (count_at(angle, true) < most)
-          with = angle;
-      }
-    checks.below("angle at which stations go, over that without history",
-                 std::abs(with / without - .7),
-                 .02);
-    checks.equal("stations between, on the way back",
-                 count_at(.5 * (with + without), true),
-                 most / 2);
-    checks.equal("they come back where they are needed",
-                 count_at(1.02 * without, true),
-                 most);
   }
 
   /**
@@ -310,7 +156,8 @@ namespace
   void
   check_ends(Checks &checks)
   {
-    Model model({along_x(), straight_fiber({0, 0, 1.9}, {20, 0, 1.9}, 2)});
+    ContactModel model(
+      {along_x(), straight_fiber({0, 0, 1.9}, {20, 0, 1.9}, 2)});
     const double step    = .1;
     double       largest = 0, before = 0, error = 0;
     for (unsigned int i = 0; i <= 150; ++i)
@@ -333,7 +180,9 @@ namespace
 
   /** The wavy fiber's point nearest to @p point by its centre line alone. */
   double
-  nearest_on_line(const Model &model, const Vector3 &point, const double around)
+  nearest_on_line(const ContactModel &model,
+                  const Vector3      &point,
+                  const double        around)
   {
     double nearest = 0, least = 1e9;
     for (double u = around - .5; u < around + .5; u += 2e-4)
@@ -364,7 +213,7 @@ namespace
     for (const double side : {1., -1.})
       {
         // Four elements a wave length: node 6 is an element end, without slope.
-        Model        model({curved_fiber(wave, 8, Vector3::UnitY()),
+        ContactModel model({curved_fiber(wave, 8, Vector3::UnitY()),
                             straight_fiber({0, -20, 0}, {0, 20, 0}, 4)});
         const double end = 3, x = 60 * end / 8;
         const auto   tangent = [&](const double u) {
@@ -428,84 +277,26 @@ namespace
       const double angle = 4 * M_PI * t;
       return Vector3(10 * std::cos(angle), 10 * std::sin(angle), 3.9 * t);
     };
-    Model      loop({curved_fiber(helix, 24, Vector3::UnitZ())});
-    double     wrong    = 0;
-    const auto contacts = loop.generate();
-    for (const ContactElement &contact : contacts)
-      wrong = std::max({wrong,
-                        std::abs(loop.u(contact, 1) - loop.u(contact, 0) - 12),
-                        std::abs(std::abs(contact.normal.z()) - 1)});
-    checks.equal("two turns: contacts of the fiber with itself",
-                 contacts.size(),
-                 24);
+    ContactModel loop({curved_fiber(helix, 24, Vector3::UnitZ())});
+    const double turn  = std::hypot(20 * M_PI, 1.95);
+    double       wrong = 0, length = 0;
+    for (const ContactElement &contact : loop.generate())
+      {
+        length += contact.length;
+        // The last station fades where the fiber ends.
+        wrong =
+          std::max({wrong,
+                    contact.length / (turn / 24) *
+                      std::abs(loop.u(contact, 1) - loop.u(contact, 0) - 12),
+                    std::abs(std::abs(contact.normal.z()) - 1)});
+      }
+    checks.below("two turns: length of contact over one turn, less one",
+                 length / turn - 1,
+                 .01);
     checks.below("one turn apart, above each other", wrong, .02);
 
-    Model alone({along_x()});
+    ContactModel alone({along_x()});
     checks.equal("straight fiber: contacts", alone.generate().size(), 0);
-  }
-
-  void
-  check_inheritance(Checks &checks)
-  {
-    Model      model({along_x(), along_x(1.95)});
-    const auto lift_middle = [&](const double height) {
-      const auto &line = model.mesh.lines()[1];
-      for (unsigned int n = 3; n <= 5; ++n)
-        model.q[9 * (line.first_node + n) + 2] = 1.95 + height;
-    };
-    model.generate();
-    checks.equal("stiffness of half an element at first, over E r",
-                 5 * model.state.zones[0].stiffness,
-                 model.parameters.initial_stiffness);
-    model.state.zones[0].stiffness = 7;
-    lift_middle(4);
-    auto contacts = model.generate();
-    checks.equal("zones after a split", model.state.zones.size(), 2);
-    double wrong = 0;
-    for (const ContactElement &contact : contacts)
-      wrong = std::max(wrong, std::abs(contact.stiffness - 7));
-    checks.below("each inherits the stiffness", wrong, 1e-12);
-
-    model.state.zones[0].stiffness = 9;
-    lift_middle(0);
-    contacts = model.generate();
-    checks.equal("zones after the merge", model.state.zones.size(), 1);
-    checks.equal("the larger stiffness stays", contacts[3].stiffness, 9);
-    contacts = model.generate();
-    checks.equal("and stays", contacts[3].stiffness, 9);
-  }
-
-  /** Reversible slip goes to the station nearby, on its new tangent plane. */
-  void
-  check_history(Checks &checks)
-  {
-    Model model({along_x(), straight_fiber({3, -20, 1.9}, {3, 20, 1.9}, 4)});
-    const DofVector before = model.q;
-    model.shift(1, {.01, 0, 0});
-    ContactRule friction = standard;
-    friction.friction    = true;
-    for (const double away : {.1, .6})
-      {
-        model.state.history = {
-          {{{0, 1}}, {{2.3 + away, 2}}, Vector3(.03, .02, .01)}};
-        const auto contact =
-          model.generator.generate(model.q, before, friction, model.state)
-            .at(0);
-        const Vector3 expected(away < .5 ? .03 : 0, away < .5 ? .02 : 0, 0);
-        checks.below("slip inherited from " + std::to_string(away) +
-                       " elements away",
-                     (contact.slip_before - expected).norm(),
-                     1e-12);
-        checks.equal("limit over force",
-                     contact.friction_limit / contact.normal_force,
-                     model.parameters.friction_coefficient);
-        const Vector3 slip =
-          particle_separation(contact, section_pair(contact, model.q)) -
-          contact.separation_before;
-        checks.below("slip of the increment",
-                     (slip - Vector3(-.01, 0, 0)).norm(),
-                     1e-12);
-      }
   }
 
   /** Of warp and fill each, of radius 1 at a pitch of 30. */
@@ -544,9 +335,9 @@ namespace
         const Vector3 along(std::cos(half), std::sin(half), 0),
           other(std::cos(half), -std::sin(half), 0);
         const Vector3 shift(.37 * angle / 90, 0, d);
-        Model         model(
+        ContactModel  model(
           {straight_fiber(-200 * along, 200 * along, 20),
-                   straight_fiber(shift - 200 * other, shift + 200 * other, 20)},
+            straight_fiber(shift - 200 * other, shift + 200 * other, 20)},
           1.);
         double force = 0;
         for (const ContactElement &contact : model.generate())
@@ -561,7 +352,7 @@ namespace
   }
 
   int
-  order(const Model &model, const ContactElement &contact)
+  order(const ContactModel &model, const ContactElement &contact)
   {
     return superimposition(model.fibers, contact.fibers[0], contact.fibers[1]);
   }
@@ -573,8 +364,8 @@ namespace
   void
   check_weaving(Checks &checks)
   {
-    Model       model(flat_fabric(2, 3));
-    ContactRule from_above;
+    ContactModel model(flat_fabric(2, 3));
+    ContactRule  from_above;
     from_above.from_above      = true;
     from_above.allowed_overlap = .05;
 
@@ -619,9 +410,9 @@ namespace
   void
   check_change_of_search(Checks &checks)
   {
-    Model       model(flat_fabric(1, 1));
-    const int   side = superimposition(model.fibers, 0, 1);
-    const auto &line = model.mesh.lines()[0];
+    ContactModel model(flat_fabric(1, 1));
+    const int    side = superimposition(model.fibers, 0, 1);
+    const auto  &line = model.mesh.lines()[0];
     for (unsigned int n = 0; n < line.n_nodes(); ++n)
       {
         auto node            = model.q.segment<9>(9 * (line.first_node + n));
@@ -647,7 +438,7 @@ namespace
     from_above.from_above = true;
     for (const ContactRule &rule : {standard, from_above})
       {
-        Model             model(flat_fabric(3, 2));
+        ContactModel      model(flat_fabric(3, 2));
         ContactGenerator  alone(model.fibers,
                                model.mesh,
                                model.parameters,
@@ -695,14 +486,10 @@ main(int argc, char **argv)
   check_crossing(checks);
   check_parting(checks);
   check_parallel(checks);
-  check_hysteresis(checks);
   check_bent_around(checks);
-  check_stations_stay(checks);
   check_ends(checks);
   check_kinks(checks);
   check_self_contact(checks);
-  check_inheritance(checks);
-  check_history(checks);
   check_angles(checks);
   check_weaving(checks);
   check_change_of_search(checks);

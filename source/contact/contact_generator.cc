@@ -286,14 +286,11 @@ namespace fiberloom
           mesh.section(q, mesh.locate(pair[0], u[0])).tangent();
         const Vector3 t2 =
           mesh.section(q, mesh.locate(pair[1], u[1])).tangent();
-        const double        cosine = std::abs(t1.dot(t2));
-        const ParameterPair closest =
-          cosine < parallel_above ? mutual_closest_point(mesh, q, pair, u) : u;
-        // Fibers that part from their ends are nowhere as close as the normal
-        // across both makes them.
-        const bool crosses =
-          cosine < parallel_above && !is_at_end(pair, closest);
-        const double length = length_over_crossing(proximity, cosine);
+        const double cosine  = std::abs(t1.dot(t2));
+        const auto   closest = cosine < parallel_above ?
+                                 inner_closest_point(pair, u, q) :
+                                 std::nullopt;
+        const double length  = length_over_crossing(proximity, cosine);
         const double drift = cosine > least_oblique && cosine < parallel_above ?
                                drift_over_crossing(pair, u, q) :
                                1;
@@ -302,11 +299,11 @@ namespace fiberloom
           successor(pair,
                     {{proximity.range(0), proximity.range(1)}},
                     before,
-                    crosses &&
+                    closest &&
                       cosine < .5 * (parallel_above + crossing_below) &&
                       length < .5 * (parallel_length + crossing_length) &&
                       drift > .5 * (parallel_drift + crossing_drift));
-        if (!crosses || length > parallel_length || drift < parallel_drift)
+        if (!closest || length > parallel_length || drift < parallel_drift)
           zone.crossing = false;
         else if (cosine < crossing_below && length < crossing_length &&
                  drift > crossing_drift)
@@ -320,7 +317,7 @@ namespace fiberloom
             continue;
           }
 
-        contacts.push_back(new_element(index, closest, state));
+        contacts.push_back(new_element(index, *closest, state));
         if (zone.side == 0)
           {
             const SectionPair x = section_pair(contacts.back(), q);
@@ -332,14 +329,16 @@ namespace fiberloom
 
 
 
-  bool
-  ContactGenerator::is_at_end(const std::array<unsigned int, 2> &pair,
-                              const ParameterPair               &u) const
+  std::optional<ParameterPair>
+  ContactGenerator::inner_closest_point(const std::array<unsigned int, 2> &pair,
+                                        const ParameterPair &start,
+                                        const DofVector     &q) const
   {
+    const ParameterPair u = mutual_closest_point(mesh, q, pair, start);
     for (unsigned int s = 0; s < 2; ++s)
       if (u[s] <= 0 || u[s] >= mesh.lines()[pair[s]].n_elements)
-        return true;
-    return false;
+        return {};
+    return u;
   }
 
 
@@ -531,15 +530,13 @@ namespace fiberloom
           }
       }
 
-    // A zone too short for the spacing still has its closest point, unless
-    // that is an end, around which no normal is across both.
-    if (contacts.size() == before)
+    // A zone too short for the spacing still has its closest point.
+    if (contacts.size() > before)
+      return;
+    if (const auto closest =
+          inner_closest_point(pair, proximity.closest().u, q))
       {
-        const ParameterPair closest =
-          mutual_closest_point(mesh, q, pair, proximity.closest().u);
-        if (is_at_end(pair, closest))
-          return;
-        contacts.push_back(new_element(zone, closest, state));
+        contacts.push_back(new_element(zone, *closest, state));
         const auto &line       = mesh.lines()[pair[0]];
         contacts.back().length = cell * line.length / line.n_elements;
       }

@@ -138,10 +138,15 @@ namespace fiberloom
               const ContactState                         &before,
               const bool crossing_if_new) const;
 
-    /** Whether @p u is at an end of one of the two fibers. */
-    bool
-    is_at_end(const std::array<unsigned int, 2> &pair,
-              const ParameterPair               &u) const;
+    /**
+     * The mutual closest point next to @p start , unless that is an end of one
+     * of the two fibers: where they part from it, a normal across both makes
+     * them closer than they are anywhere.
+     */
+    std::optional<ParameterPair>
+    inner_closest_point(const std::array<unsigned int, 2> &pair,
+                        const ParameterPair               &start,
+                        const DofVector                   &q) const;
 
     /**
      * Length of @p zone over that of two straight fibers that touch at the
