@@ -9,6 +9,8 @@
 
 #include <fiberloom/solvers/equilibrium.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +23,9 @@ namespace fiberloom
     // and do so before an increment begins.
     constexpr double penetration_tolerance = 1.3, stiffened_from = .7;
     constexpr double largest_stiffening = 6;
+
+    // Of a line penalty over Young's modulus: that of a fiber's own section.
+    constexpr double stiffness_of_section = dealii::numbers::PI_4;
 
     // The damped loop stiffens as soon as the residual is below this multiple
     // of the tolerance, not in every iteration, and at most so many times.
@@ -199,10 +204,41 @@ namespace fiberloom
 
 
   bool
+  Equilibrium::is_imposed(const ContactElement &contact) const
+  {
+    const auto &lines = mesh.lines();
+    if (contact.stiffness <
+        stiffness_of_section * std::min(lines[contact.fibers[0]].young_modulus,
+                                        lines[contact.fibers[1]].young_modulus))
+      return false;
+    std::array<int, 2> bodies{{-1, -1}};
+    for (unsigned int s = 0; s < 2; ++s)
+      for (unsigned int n = 0; n < 3; ++n)
+        bodies[s] =
+          std::max(bodies[s],
+                   system.motion().holding_body(contact.first_nodes[s] + n));
+    return bodies[0] >= 0 && bodies[0] == bodies[1];
+  }
+
+
+
+  double
+  Equilibrium::avoidable_penetration() const
+  {
+    double largest = 0;
+    for (const ContactElement &contact : contact_elements)
+      if (!is_imposed(contact))
+        largest = std::max(largest, -contact.gap / smaller_radius(contact));
+    return largest;
+  }
+
+
+
+  bool
   Equilibrium::needs_stiffening() const
   {
     return parameters.contact.line_stiffness == 0 &&
-           largest_penetration() >
+           avoidable_penetration() >
              penetration_tolerance * parameters.contact.largest_penetration;
   }
 
@@ -216,9 +252,10 @@ namespace fiberloom
     const double        target = parameters.contact.largest_penetration;
     std::vector<double> penetration(state.contact.zones.size(), 0.);
     for (const ContactElement &contact : contact_elements)
-      penetration[contact.zone] =
-        std::max(penetration[contact.zone],
-                 -contact.gap / smaller_radius(contact));
+      if (!is_imposed(contact))
+        penetration[contact.zone] =
+          std::max(penetration[contact.zone],
+                   -contact.gap / smaller_radius(contact));
 
     bool changed = false;
     for (unsigned int z = 0; z < penetration.size(); ++z)
@@ -419,16 +456,16 @@ namespace fiberloom
 
 
 
-  void
+  bool
   Equilibrium::extrapolate(State &state, const Problem &problem)
   {
     begin(state, problem);
     deepest_penetration =
       std::max(lost_penetration * parameters.contact.largest_penetration,
-               2 * largest_penetration());
+               2 * avoidable_penetration());
     // What does not touch bends freely: turns are too large to go on straight.
     if (contact_elements.empty())
-      return;
+      return true;
     for (const Past *past : {&problem.before.previous, &problem.even})
       if (past->q.size() > 0)
         {
@@ -443,10 +480,13 @@ namespace fiberloom
             {
               generate(state, problem);
               if (!is_lost() && !contact_elements.empty())
-                return;
+                return true;
             }
           begin(state, problem);
         }
+    // An even deformation that goes too far leads somewhere in a shorter
+    // increment.
+    return problem.even.q.size() == 0;
   }
 
 
@@ -455,7 +495,8 @@ namespace fiberloom
   Equilibrium::solve(State &state, const Problem &problem)
   {
     folded = false;
-    extrapolate(state, problem);
+    if (!extrapolate(state, problem))
+      return false;
 
     const auto one_loop = [&](const double damping) {
       return solve_in_one_loop(state,
@@ -522,7 +563,7 @@ namespace fiberloom
   Equilibrium::is_lost() const
   {
     return parameters.contact.line_stiffness == 0 &&
-           largest_penetration() > deepest_penetration;
+           avoidable_penetration() > deepest_penetration;
   }
 
 

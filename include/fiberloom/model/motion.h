@@ -41,6 +41,15 @@ namespace fiberloom
       return node_attachments[node];
     }
 
+    /** Index of the body that holds @p node ; -1: none. */
+    int
+    holding_body(const unsigned int node) const
+    {
+      return node_attachments[node] < 0 ?
+               -1 :
+               int(supports.attachments[node_attachments[node]].body);
+    }
+
     bool
     is_fixed(const unsigned int dof) const
     {

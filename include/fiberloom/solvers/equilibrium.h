@@ -176,14 +176,25 @@ namespace fiberloom
     /**
      * Contacts of @p state , and where the last increment, or else an even
      * deformation, tells where fibers go, those of the extrapolated state,
-     * unless that throws fibers deep into each other.
+     * unless that throws fibers deep into each other. False where an even
+     * deformation does so, since a shorter one would not.
      */
-    void
+    bool
     extrapolate(State &state, const Problem &problem);
 
     /** From contacts that have been generated. */
     Outcome
     solve_nested(State &state, const Problem &problem);
+
+    /** Whether one body holds both fibers next to where they touch and the
+     * penalty is as stiff as their sections: the overlap left there is what the
+     * body asks of them. */
+    bool
+    is_imposed(const ContactElement &contact) const;
+
+    /** Largest penetration that is not imposed, over the radius. */
+    double
+    avoidable_penetration() const;
 
     bool
     needs_stiffening() const;
