@@ -466,6 +466,7 @@ namespace fiberloom
     // What does not touch bends freely: turns are too large to go on straight.
     if (contact_elements.empty())
       return true;
+    bool too_far = false; // the last guess there is
     for (const Past *past : {&problem.before.previous, &problem.even})
       if (past->q.size() > 0)
         {
@@ -476,17 +477,17 @@ namespace fiberloom
           // An end that turns back folds the elements next to it. And thrown
           // apart, fibers that are held in each other would come back unseen,
           // on any side.
-          if (!mesh.is_folded(state.q))
+          too_far = mesh.is_folded(state.q);
+          if (!too_far)
             {
               generate(state, problem);
-              if (!is_lost() && !contact_elements.empty())
+              too_far = is_lost();
+              if (!too_far && !contact_elements.empty())
                 return true;
             }
           begin(state, problem);
         }
-    // An even deformation that goes too far leads somewhere in a shorter
-    // increment.
-    return problem.even.q.size() == 0;
+    return !too_far || problem.even.q.size() == 0;
   }
 
 

@@ -177,7 +177,7 @@ namespace fiberloom
      * Contacts of @p state , and where the last increment, or else an even
      * deformation, tells where fibers go, those of the extrapolated state,
      * unless that throws fibers deep into each other. False where an even
-     * deformation does so, since a shorter one would not.
+     * deformation does so: a shorter increment's will not.
      */
     bool
     extrapolate(State &state, const Problem &problem);
