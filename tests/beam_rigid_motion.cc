@@ -105,6 +105,28 @@ namespace
   }
 
   void
+  check_section_change(Checks &checks, const FiberMesh &mesh)
+  {
+    const auto change = [&](const Eigen::Matrix2d &stretch) {
+      DofVector     q  = mesh.reference();
+      const Vector3 g1 = q.segment<3>(12), g2 = q.segment<3>(15);
+      q.segment<3>(12) = stretch(0, 0) * g1 + stretch(1, 0) * g2;
+      q.segment<3>(15) = stretch(0, 1) * g1 + stretch(1, 1) * g2;
+      return mesh.largest_section_change(q);
+    };
+    const double c = std::cos(.3), s = std::sin(.3);
+    checks.equal("change of a section that turns",
+                 change((Eigen::Matrix2d() << c, -s, s, c).finished()),
+                 0);
+    checks.equal("of one that widens by 0.1 and narrows by 0.2",
+                 change(Eigen::Vector2d(1.1, .8).asDiagonal()),
+                 .2);
+    checks.equal("of one that is sheared by 0.2",
+                 change((Eigen::Matrix2d() << 1, .2, 0, 1).finished()),
+                 std::sqrt(1.01) - .9);
+  }
+
+  void
   count_zero_modes(std::ostream      &output,
                    Checks            &checks,
                    const std::string &name,
@@ -150,6 +172,7 @@ main()
                         straight.element(0),
                         straight.reference());
           check_folding(checks, straight.element(0), straight.reference());
+          check_section_change(checks, straight);
           check_motions(checks,
                         "curved",
                         curved.element(0),

@@ -67,9 +67,11 @@ namespace
     residuals.insert(residuals.end(), 7, 2.);
 
     double     force = 1;
-    const auto rests = [&](const double factor) {
+    const auto rests = [&](const double factor, const bool balanced = true) {
       force *= factor;
-      return damping.follow_reactions({force * BodyVector::Ones()}, true, .1);
+      return damping.follow_reactions({force * BodyVector::Ones()},
+                                      balanced,
+                                      .1);
     };
 
     damping.reset(least);
@@ -96,11 +98,30 @@ namespace
     checks.equal("ends with the usual damping", found[8], 1);
     checks.that("is over only with the next residual", !rests(1));
     residuals.push_back(.2);
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        damping.follow(residuals);
+        checks.equal("then the usual damping until there is balance",
+                     damping.over_Er() / least,
+                     1);
+        checks.that("in which nothing rests", !rests(1.02, false));
+      }
+    damping.follow(residuals);
+    checks.that("6 % from one cycle to the next are not rest", !rests(1));
     damping.follow(residuals);
     checks.equal("the next begins", damping.over_Er() / least, 1. / 4);
-    checks.that("2 % from one to the next are rest", rests(1.02));
-    checks.that("within the next nothing is",
-                (damping.follow(residuals), !rests(1)));
+    checks.that("within the next nothing is", !rests(1));
+    for (unsigned int i = 0; i < 8; ++i)
+      damping.follow(residuals);
+    checks.that("2 % from one cycle to the next are", rests(1.02));
+    for (unsigned int i = 0; i < 9; ++i)
+      damping.follow(residuals);
+    for (unsigned int i = 0; i < 10; ++i)
+      {
+        checks.that("without balance none rests", !rests(1, false));
+        damping.follow(residuals);
+      }
+    checks.that("and the next cycle begins", damping.over_Er() < .5 * least);
   }
 
   void

@@ -154,6 +154,37 @@ namespace
       }
   }
 
+  /** Low-rank blocks are left out where nothing is damped, and are there again
+   * where something is, whenever the analysis was. */
+  void
+  check_damped_after_undamped(Checks &checks)
+  {
+    SampleModel model(4);
+    model.supports.bodies[1].prescribed.set();
+    System system(model.mesh, model.supports, MPI_COMM_WORLD);
+    model.disturb(system);
+    model.add_contacts(.02, .001);
+    system.reinit(model.contacts);
+    system.assemble(model.state, model.targets, model.contacts);
+    LinearSolver        solver(system, "rigid sections");
+    std::vector<double> solution;
+    for (const double damping : {0., 0., 1e-3})
+      {
+        const Outcome outcome =
+          solver.solve(system.matrix(),
+                       model.state.q,
+                       system.right_hand_side(),
+                       std::vector<double>(system.layout().n_blocks(), damping),
+                       1e-3,
+                       solution);
+        checks.equal("factorisations, damped by " + std::to_string(damping),
+                     outcome.factorizations,
+                     1);
+        if (damping == 0)
+          solver.forget();
+      }
+  }
+
   /** Patterns with hardly more than is needed are kept, with their analysis. */
   void
   check_pattern(Checks &checks)
@@ -289,6 +320,7 @@ main(int argc, char **argv)
   check_precision(checks);
   check_fallback("single factor", checks);
   check_fallback("rigid sections", checks);
+  check_damped_after_undamped(checks);
   check_pattern(checks);
   check_closing(checks);
   check_buckling(checks);

@@ -124,6 +124,35 @@ namespace
   }
 
   void
+  check_subdivision(Checks &checks, const FiberMesh &fibers)
+  {
+    const LayerBlock block =
+      build_layers(parameters("upper"), fibers, fibers.reference()).blocks[0];
+    const LayerBlock fine = subdivided(block, 3);
+    checks.equal("cells in place of one",
+                 double(fine.n_cells[0] * fine.n_cells[1] * fine.n_cells[2]) /
+                   (block.n_cells[0] * block.n_cells[1] * block.n_cells[2]),
+                 27);
+    double off = 0;
+    for (unsigned int k = 0; k < block.n_cells[2]; ++k)
+      for (unsigned int j = 0; j < block.n_cells[1]; ++j)
+        for (unsigned int i = 0; i < block.n_cells[0]; ++i)
+          {
+            const Vector3 corner = block.vertex(i, j, k),
+                          x      = block.vertex(i + 1, j, k) - corner,
+                          z      = block.vertex(i, j, k + 1) - corner,
+                          twist =
+                            block.vertex(i + 1, j, k + 1) - corner - x - z;
+            off = std::max({off,
+                            (fine.vertex(3 * i, 3 * j, 3 * k) - corner).norm(),
+                            (fine.vertex(3 * i + 2, 3 * j, 3 * k + 1) - corner -
+                             2. / 3 * x - 1. / 3 * z - 2. / 9 * twist)
+                              .norm()});
+          }
+    checks.below("vertices off the faces of the coarse ones", off, 1e-12);
+  }
+
+  void
   check_repair(Checks &checks, const FiberMesh &fibers)
   {
     LayerBlock block =
@@ -177,6 +206,7 @@ main()
   const FiberMesh mesh(fibers);
   check_faces(checks, mesh);
   check_location(checks, mesh);
+  check_subdivision(checks, mesh);
   check_repair(checks, mesh);
   check_refused(checks, mesh);
 }

@@ -47,6 +47,7 @@ namespace
     checkpoint.stages[0].name                            = "weave";
     checkpoint.stages[0].converged                       = true;
     checkpoint.stages[1].largest_penetration_over_radius = .02 / 3;
+    checkpoint.stages[1].largest_section_change          = .004 / 3;
     checkpoint.stages[1].seconds.detection               = 1.5;
     return checkpoint;
   }
@@ -75,6 +76,8 @@ namespace
            a.stages[0].converged == b.stages[0].converged &&
            a.stages[1].largest_penetration_over_radius ==
              b.stages[1].largest_penetration_over_radius &&
+           a.stages[1].largest_section_change ==
+             b.stages[1].largest_section_change &&
            a.stages[1].seconds.detection == b.stages[1].seconds.detection;
   }
 

@@ -554,8 +554,9 @@ namespace fiberloom
       catalogue.add("Error estimate",
                     solver.error_estimate,
                     "Whether a stage with a loading curve ends with an "
-                    "estimate of its error by mesh, stations and penetration, "
-                    "for which a system of twice the size is solved.",
+                    "estimate of its error by mesh, stations, penetration and "
+                    "cells of a matrix, for which systems of twice the size, "
+                    "and eight times of a matrix, are solved.",
                     Allowed::true_or_false());
       catalogue.leave_section();
     }

@@ -90,6 +90,31 @@ namespace fiberloom
 
 
 
+  double
+  FiberMesh::largest_section_change(const DofVector &q) const
+  {
+    double change = 0;
+    for (const Line &line : fiber_lines)
+      for (unsigned int n = line.first_node;
+           n < line.first_node + line.n_nodes();
+           ++n)
+        {
+          // By the largest and the smallest stretch, roots of the eigenvalues
+          // of the vectors' products.
+          const auto   g1   = q.segment<3>(9 * n + 3) / line.radius;
+          const auto   g2   = q.segment<3>(9 * n + 6) / line.radius;
+          const double mean = .5 * (g1.squaredNorm() + g2.squaredNorm());
+          const double distance =
+            std::hypot(.5 * (g1.squaredNorm() - g2.squaredNorm()), g1.dot(g2));
+          for (const double squared : {mean - distance, mean + distance})
+            change =
+              std::max(change, std::abs(std::sqrt(std::max(squared, 0.)) - 1));
+        }
+    return change;
+  }
+
+
+
   ElementPoint
   FiberMesh::locate(const unsigned int fiber, const double u) const
   {

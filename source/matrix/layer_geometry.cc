@@ -166,6 +166,42 @@ namespace fiberloom
 
 
 
+  LayerBlock
+  subdivided(const LayerBlock &block, const unsigned int n)
+  {
+    LayerBlock fine;
+    for (unsigned int d = 0; d < 3; ++d)
+      fine.n_cells[d] = n * block.n_cells[d];
+    for (unsigned int k = 0; k <= fine.n_cells[2]; ++k)
+      for (unsigned int j = 0; j <= fine.n_cells[1]; ++j)
+        for (unsigned int i = 0; i <= fine.n_cells[0]; ++i)
+          {
+            const std::array<unsigned int, 3> place{{i, j, k}};
+            Vector3                           vertex = Vector3::Zero();
+            for (unsigned int corner = 0; corner < 8; ++corner)
+              {
+                double                      weight = 1;
+                std::array<unsigned int, 3> coarse;
+                for (unsigned int d = 0; d < 3; ++d)
+                  {
+                    const bool   far  = corner >> d & 1;
+                    const double part = place[d] % n / double(n);
+                    coarse[d]         = place[d] / n + far;
+                    weight *= far ? part : 1 - part;
+                  }
+                if (weight > 0) // others may lie outside
+                  vertex +=
+                    weight * block.vertex(coarse[0], coarse[1], coarse[2]);
+              }
+            fine.vertices.insert(fine.vertices.end(),
+                                 vertex.data(),
+                                 vertex.data() + 3);
+          }
+    return fine;
+  }
+
+
+
   double
   worst_corner(const LayerBlock &block)
   {

@@ -187,6 +187,15 @@ namespace fiberloom
 
 
 
+  Vector3
+  MatrixMesh::unit_point(const unsigned int node_of_cell) const
+  {
+    const auto &point = fe.get_unit_support_points()[node_of_cell];
+    return {point[0], point[1], point[2]};
+  }
+
+
+
   std::vector<double>
   MatrixMesh::shape_values(const CellPoint &point) const
   {

@@ -18,7 +18,7 @@
 #include <cstring>
 #include <sstream>
 
-BOOST_CLASS_VERSION(fiberloom::StageStatistics, 1)
+BOOST_CLASS_VERSION(fiberloom::StageStatistics, 2)
 
 namespace boost
 {
@@ -45,6 +45,8 @@ namespace boost
           ar &s.estimated_error.penetration &s.estimated_error.total;
           ar                                &s.seconds.estimate;
         }
+      if (version >= 2)
+        ar &s.largest_section_change &s.estimated_error.matrix;
     }
   } // namespace serialization
 } // namespace boost

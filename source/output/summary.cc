@@ -119,6 +119,7 @@ namespace fiberloom
           .member("mesh", stage.estimated_error.mesh)
           .member("stations", stage.estimated_error.stations)
           .member("penetration", stage.estimated_error.penetration)
+          .member("matrix", stage.estimated_error.matrix)
           .member("total", stage.estimated_error.total)
           .str();
       return JsonObject(2)
@@ -139,6 +140,7 @@ namespace fiberloom
         .raw("seconds", seconds)
         .member("largest_penetration_over_radius",
                 stage.largest_penetration_over_radius)
+        .member("largest_section_change", stage.largest_section_change)
         .raw("estimated_error", error)
         .member("crossings_out_of_order", stage.crossings_out_of_order)
         .member("contact_elements", stage.contact_elements)

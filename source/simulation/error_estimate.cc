@@ -2,13 +2,15 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/exceptions.h>
-#include <fiberloom/base/parameters.h>
 
 #include <fiberloom/simulation/error_estimate.h>
+#include <fiberloom/simulation/refinement.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,12 +18,9 @@ namespace fiberloom
 {
   namespace
   {
-    // Balance is not waited for where there is contact: the first iteration
-    // already gives a stiff response, and soft fibers take many.
-    constexpr unsigned int n_with_contact = 2, n_without = 8;
-
-    // The state found is in balance by the scene's own tolerance.
-    constexpr double tighter = 1e-3;
+    // Balance is not waited for in a dry fabric: the first iteration already
+    // gives a stiff response, and soft fibers take many. A matrix holds them.
+    constexpr unsigned int n_in_dry_fabric = 2, n_otherwise = 8;
 
     // Columns that are smaller than this part of what is usual have no scale.
     constexpr double least_scale = 1e-3;
@@ -31,91 +30,6 @@ namespace fiberloom
 
     // Of second order: halved, a length leaves a quarter of its error.
     constexpr double of_second_order = 4. / 3;
-
-    /** What is finer than in the scene. */
-    struct Refinement
-    {
-      unsigned int elements  = 1; // for one
-      double       stations  = 1; // over the length, for one
-      double       stiffness = 1;
-    };
-
-    Parameters
-    refine(Parameters parameters, const Refinement &refinement)
-    {
-      for (TowParameters *tows :
-           {&parameters.fabric.warp, &parameters.fabric.fill})
-        tows->elements_per_fiber *= refinement.elements;
-      parameters.fibers.elements_per_fiber *= refinement.elements;
-      parameters.contact.stations_per_element *=
-        refinement.stations / refinement.elements;
-      parameters.contact.line_stiffness *= refinement.stiffness;
-      parameters.contact.initial_stiffness *= refinement.stiffness;
-      parameters.solver.contact_tolerance *= tighter;
-      return parameters;
-    }
-
-    /** Carries what belongs to fibers over to a mesh of smaller elements. */
-    class Transfer
-    {
-    public:
-      Transfer(const FiberMesh  &coarse,
-               const FiberMesh  &fine,
-               const Refinement &refinement)
-        : coarse(coarse)
-        , fine(fine)
-        , refinement(refinement)
-      {}
-
-      /** Adds the displacement. */
-      DofVector
-      dofs(const DofVector &q) const
-      {
-        if (q.size() == 0)
-          return q;
-        const DofVector displacement = q - coarse.reference();
-        DofVector       result(fine.reference().size());
-        for (unsigned int f = 0; f < fine.lines().size(); ++f)
-          for (unsigned int k = 0; k < fine.lines()[f].n_nodes(); ++k)
-            {
-              const unsigned int node = fine.lines()[f].first_node + k;
-              const ElementPoint point =
-                coarse.locate(f, .5 * k / refinement.elements);
-              const auto N     = shape_values(point.xi);
-              auto       value = result.segment<9>(9 * node);
-              value            = fine.reference().segment<9>(9 * node);
-              for (unsigned int a = 0; a < 3; ++a)
-                value += N[a] * displacement.segment<9>(
-                                  9 * (coarse.first_node(point.element) + a));
-            }
-        return result;
-      }
-
-      State
-      operator()(State state) const
-      {
-        for (DofVector *q : {&state.q, &state.stage_start_q, &state.previous.q})
-          *q = dofs(*q);
-        for (ContactZone &zone : state.contact.zones)
-          {
-            for (auto &range : zone.range)
-              for (double &u : range)
-                u *= refinement.elements;
-            zone.stiffness *= refinement.stiffness;
-            if (refinement.stations != 1)
-              zone.divided.clear();
-          }
-        for (FrictionHistory &slip : state.contact.history)
-          for (double &u : slip.u)
-            u *= refinement.elements;
-        return state;
-      }
-
-    private:
-      const FiberMesh  &coarse;
-      const FiberMesh  &fine;
-      const Refinement &refinement;
-    };
 
     /** Of contacts [mm], each as much as its force. */
     double
@@ -149,14 +63,18 @@ namespace fiberloom
       const Parameters parameters = refine(scene.parameters, refinement);
       const FiberSet   fibers     = build_fiber_set(parameters);
       const FiberMesh  mesh(fibers);
-      const Transfer   transfer(scene.mesh, mesh, refinement);
+      const Transfer   transfer(scene, found.matrix, mesh, refinement);
       const State      start = transfer(before);
       State            state = transfer(found);
       state.contact.history  = start.contact.history;
-      const auto stage =
-        create_stage(name, {parameters, fibers, mesh, nullptr});
+      std::optional<Composite> matrix;
+      if (scene.composite)
+        matrix.emplace(state.matrix, mesh);
+      const Composite *composite = matrix ? &*matrix : nullptr;
+      const auto       stage =
+        create_stage(name, {parameters, fibers, mesh, composite});
       const Supports   supports = stage->supports(state.stage_start_q);
-      System           system(mesh, supports, comm);
+      System           system(mesh, supports, comm, composite);
       StageStatistics  statistics;
       ContactGenerator generator(fibers, mesh, parameters.contact, comm);
       Equilibrium      equilibrium(mesh,
@@ -173,17 +91,19 @@ namespace fiberloom
         stage->rule(load)};
       equilibrium.iterate(state,
                           problem,
-                          found.contact.zones.empty() ? n_without :
-                                                        n_with_contact,
+                          found.contact.zones.empty() || composite ?
+                            n_otherwise :
+                            n_in_dry_fabric,
                           generator.weaves() ? equilibrium.dampings()[0] : 0);
 
       std::vector<ContactElement> contacts =
         generator.generate(state.q, start.q, problem.rule, state.contact);
       system.reinit(contacts);
       system.assemble_residual(state, problem.targets, contacts);
-      State begun;
+      State begun      = state;
       begun.q          = state.stage_start_q;
       begun.placements = state.stage_start_placements;
+      begun.load       = 0;
       return {stage->curve(begun,
                            std::vector<BodyVector>(supports.bodies.size(),
                                                    BodyVector::Zero())),
@@ -228,14 +148,6 @@ namespace fiberloom
       return scales;
     }
 
-    bool
-    has_forces(const CurveRow &curve)
-    {
-      return std::any_of(curve.begin(), curve.end(), [](const auto &column) {
-        return unit(column.first) == "[N]";
-      });
-    }
-
     /** Of each column with a unit, over its scale. */
     Eigen::ArrayXd
     change(const Outcome                       &from,
@@ -264,11 +176,7 @@ namespace fiberloom
                  const State       &found,
                  const MPI_Comm     comm)
   {
-    if (!found.matrix.is_empty() ||
-        !has_forces(create_stage(name, scene)
-                      ->curve(found,
-                              std::vector<BodyVector>(found.placements.size(),
-                                                      BodyVector::Zero()))))
+    if (!create_stage(name, scene)->is_test())
       return {};
     const auto solve_with = [&](const Refinement &refinement) {
       return solve(scene, name, before, found, refinement, comm);
@@ -281,8 +189,11 @@ namespace fiberloom
           return {};
         const Outcome        finer = solve_with({2, 1, 1});
         const Eigen::ArrayXd mesh = of_second_order * change(now, finer, scale);
-        Eigen::ArrayXd       stations = Eigen::ArrayXd::Zero(mesh.size()),
-                       penetration    = stations;
+        Eigen::ArrayXd       matrix = Eigen::ArrayXd::Zero(mesh.size()),
+                       stations = matrix, penetration = matrix;
+        if (scene.composite)
+          matrix =
+            of_second_order * change(now, solve_with({1, 1, 1, 2}), scale);
         if (now.penetration > 0)
           {
             const Outcome denser = solve_with({1, 2, 1});
@@ -299,7 +210,9 @@ namespace fiberloom
         return {largest(mesh),
                 largest(stations),
                 largest(penetration),
-                largest(mesh + stations + penetration)};
+                scene.composite ? largest(matrix) :
+                                  std::numeric_limits<double>::quiet_NaN(),
+                largest(mesh + stations + penetration + matrix)};
       }
     catch (const StageFailure &)
       {

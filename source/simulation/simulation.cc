@@ -290,12 +290,16 @@ namespace fiberloom
     }
     const ErrorEstimate &error = statistics.estimated_error;
     if (std::isfinite(error.total))
-      log.write((boost::format("%-8s estimated error of the loading curve "
-                               "%.2g %%: mesh %.2g %%, stations %.2g %%, "
-                               "penetration %.2g %%") %
-                 statistics.name % (100 * error.total) % (100 * error.mesh) %
-                 (100 * error.stations) % (100 * error.penetration))
-                  .str());
+      log.write(
+        (boost::format("%-8s estimated error of the loading curve "
+                       "%.2g %%: mesh %.2g %%, stations %.2g %%, "
+                       "penetration %.2g %%%s") %
+         statistics.name % (100 * error.total) % (100 * error.mesh) %
+         (100 * error.stations) % (100 * error.penetration) %
+         (std::isfinite(error.matrix) ?
+            str(boost::format(", matrix %.2g %%") % (100 * error.matrix)) :
+            ""))
+          .str());
   }
 
 

@@ -229,6 +229,9 @@ namespace fiberloom
     statistics.largest_penetration_over_radius =
       std::max(statistics.largest_penetration_over_radius,
                equilibrium.largest_penetration());
+    statistics.largest_section_change =
+      std::max(statistics.largest_section_change,
+               scene.mesh.largest_section_change(state.q));
     statistics.crossings_out_of_order =
       generator.crossings_out_of_order(state.q);
   }

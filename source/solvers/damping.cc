@@ -30,10 +30,12 @@ namespace fiberloom
 
     // Parts of the least damping in a cycle, which begins where the residual is
     // below the bound: slow motions that many fibers share need little of it,
-    // single fibers that were thrown meanwhile come to rest at the end.
+    // single fibers that were thrown meanwhile come to rest at the end, and in
+    // so many more steps if need be.
     constexpr std::array<double, 8> parts_of_cycle{
       {1. / 4, 1. / 16, 1. / 64, 1. / 256, 1. / 256, 1, 1, 1}};
-    constexpr double cycle_from = .3;
+    constexpr double       cycle_from = .3;
+    constexpr unsigned int most_waits = 8;
 
     // What a damped step of a pull may still change of the forces, over the
     // largest one, and over the tolerance that step or a whole cycle: soft
@@ -73,7 +75,7 @@ namespace fiberloom
     this->least = value = least;
     quiet = cycles = cycle_ended = false;
     patience                     = first_patience;
-    position = n_slow = 0;
+    position = n_waits = n_slow = 0;
     of_lines.clear();
     last_step.resize(0);
     last_forces.clear();
@@ -115,10 +117,8 @@ namespace fiberloom
     if (cycles)
       {
         cycle_ended = position == parts_of_cycle.size();
-        if (cycle_ended)
-          position = 0;
-        value = least;
-        if (position > 0 || residuals.back() < cycle_from)
+        value       = least;
+        if (!cycle_ended && (position > 0 || residuals.back() < cycle_from))
           value *= parts_of_cycle[position++];
         return;
       }
@@ -138,8 +138,9 @@ namespace fiberloom
                             const bool                     balanced,
                             const double                   tolerance)
   {
-    if (cycles && !cycle_ended)
+    if (cycles && (!cycle_ended || (!balanced && n_waits++ < most_waits)))
       return false;
+    position = n_waits   = 0;
     const double allowed = drift_over_tolerance * tolerance,
                  drift   = change(reactions) /
                          (cycles ? allowed : std::min(largest_drift, allowed));

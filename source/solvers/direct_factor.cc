@@ -475,6 +475,8 @@ namespace fiberloom
     void
     analyse_ordered()
     {
+      if (sections)
+        control(data, 35) = 2; // else no later factor could have such blocks
       data.perm_in = positions.data();
       data.job     = 1;
       call(data);

@@ -54,7 +54,7 @@ namespace fiberloom
   void
   AngleTest::begin(State &state) const
   {
-    TowEnds::place(scene, state);
+    TowEnds::place(scene, MatrixBorders::Grip::whole, state);
   }
 
 

@@ -29,7 +29,7 @@ namespace fiberloom
   void
   Biaxial::begin(State &state) const
   {
-    TowEnds::place(scene, state);
+    TowEnds::place(scene, MatrixBorders::Grip::across, state);
   }
 
 

@@ -15,11 +15,57 @@ namespace fiberloom
       const std::array<const char *, n_bodies> border_names{
         {"x start", "x end", "y start", "y end"}};
 
+      /** The borders that each node of the matrix is on, a bit for each. */
       std::vector<unsigned int>
-      nodes(const Scene &scene, const unsigned int border)
+      borders(const MatrixMesh &matrix)
       {
-        return scene.composite->matrix().border_nodes(
-          *MatrixBorder::find(border_names[border]));
+        std::vector<unsigned int> borders(matrix.n_nodes(), 0);
+        for (unsigned int b = 0; b < n_bodies; ++b)
+          for (const unsigned int node :
+               matrix.border_nodes(*MatrixBorder::find(border_names[b])))
+            borders[node] |= 1 << b;
+        return borders;
+      }
+
+      /** The borders of a body's nodes. */
+      unsigned int
+      borders_of_body(const unsigned int body)
+      {
+        if (body < n_bodies)
+          return 1 << body;
+        const unsigned int edge = body - n_bodies;
+        return 1 << edge / 2 | 1 << (2 + edge % 2);
+      }
+
+      unsigned int
+      number_of_bodies(const Grip grip)
+      {
+        return n_bodies + (grip == Grip::across ? n_edges : 0);
+      }
+
+      /** That of an edge where there is one, else the first border's. */
+      unsigned int
+      body_of_node(const unsigned int borders, const Grip grip)
+      {
+        for (unsigned int body = n_bodies; body < number_of_bodies(grip);
+             ++body)
+          if (borders_of_body(body) == borders)
+            return body;
+        unsigned int body = 0;
+        while ((borders_of_body(body) & borders) == 0)
+          ++body;
+        return body;
+      }
+
+      std::string
+      name(const unsigned int body)
+      {
+        std::string name = "matrix";
+        for (unsigned int b = 0; b < n_bodies; ++b)
+          if (borders_of_body(body) >> b & 1)
+            name += "_" + std::string(border_names[b]);
+        std::replace(name.begin(), name.end(), ' ', '_');
+        return name;
       }
     } // namespace
 
@@ -46,48 +92,69 @@ namespace fiberloom
     {
       if (scene.composite == nullptr)
         return;
-      std::vector<bool> is_held(scene.composite->matrix().n_nodes(), false);
-      for (unsigned int border = 0; border < n_bodies; ++border)
+      const unsigned int first = supports.bodies.size();
+      for (unsigned int body = 0; body < number_of_bodies(grip); ++body)
         {
-          RigidBody body;
-          body.name = "matrix_" + std::string(border_names[border]);
-          std::replace(body.name.begin(), body.name.end(), ' ', '_');
-          std::bitset<3> held;
-          if (grip == Grip::across)
-            held.set(border / 2);
-          else if (grip == Grip::whole)
-            held.set();
-          if (held.any())
-            for (const unsigned int node : nodes(scene, border))
-              if (!is_held[node])
-                {
-                  supports.attachments.push_back(attach(
-                    *scene.composite, node, supports.bodies.size(), held));
-                  is_held[node] = true;
-                }
-          supports.bodies.push_back(body);
+          supports.bodies.emplace_back();
+          supports.bodies.back().name = name(body);
         }
+      if (grip == Grip::none)
+        return;
+      const auto borders_of_node = borders(scene.composite->matrix());
+      for (unsigned int node = 0; node < borders_of_node.size(); ++node)
+        if (const unsigned int on = borders_of_node[node]; on != 0)
+          {
+            std::bitset<3> held;
+            held[0] = grip == Grip::whole || on & 3;
+            held[1] = grip == Grip::whole || on >> 2;
+            held[2] = grip == Grip::whole;
+            supports.attachments.push_back(attach(
+              *scene.composite, node, first + body_of_node(on, grip), held));
+          }
     }
 
 
 
     void
-    place(const Scene &scene, const unsigned int first, State &state)
+    place(const Scene       &scene,
+          const unsigned int first,
+          const Grip         grip,
+          State             &state)
     {
       if (scene.composite == nullptr ||
-          state.placements.size() == first + n_bodies)
+          state.placements.size() == first + number_of_bodies(grip))
         return;
       state.placements.resize(first);
-      const auto positions = scene.composite->positions(state.q);
-      for (unsigned int border = 0; border < n_bodies; ++border)
+      const auto positions       = scene.composite->positions(state.q);
+      const auto borders_of_node = borders(scene.composite->matrix());
+      for (unsigned int body = 0; body < number_of_bodies(grip); ++body)
         {
-          Placement  placement;
-          const auto held = nodes(scene, border);
-          for (const unsigned int node : held)
-            placement.position +=
-              positions.segment<3>(3 * node) / double(held.size());
-          state.placements.push_back(placement);
+          Vector3      sum     = Vector3::Zero();
+          unsigned int n_nodes = 0;
+          for (unsigned int node = 0; node < borders_of_node.size(); ++node)
+            if ((borders_of_body(body) & ~borders_of_node[node]) == 0)
+              {
+                sum += positions.segment<3>(3 * node);
+                ++n_nodes;
+              }
+          state.placements.emplace_back();
+          state.placements.back().position = sum / n_nodes;
         }
+    }
+
+
+
+    double
+    pull(const unsigned int             first,
+         const unsigned int             axis,
+         const std::vector<BodyVector> &reactions)
+    {
+      double pull = 0;
+      for (unsigned int body = 0; first + body < reactions.size(); ++body)
+        for (unsigned int side = 0; side < 2; ++side)
+          if (borders_of_body(body) >> (2 * axis + side) & 1)
+            pull += (side == 0 ? -.5 : .5) * reactions[first + body][axis];
+      return pull;
     }
   } // namespace MatrixBorders
 } // namespace fiberloom

@@ -20,7 +20,7 @@ namespace fiberloom
   void
   Relax::begin(State &state) const
   {
-    TowEnds::place(scene, state);
+    TowEnds::place(scene, MatrixBorders::Grip::none, state);
   }
 
 

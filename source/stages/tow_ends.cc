@@ -106,14 +106,14 @@ namespace fiberloom
 
 
     void
-    place(const Scene &scene, State &state)
+    place(const Scene &scene, const MatrixBorders::Grip grip, State &state)
     {
       const auto &tows = scene.fibers.tows;
       const bool  after_load =
         !state.stages_done.empty() && state.stages_done.back() == "load";
       const unsigned int n = 2 * tows.size() + 1;
       if (state.placements.size() >= n && !after_load)
-        return MatrixBorders::place(scene, n, state);
+        return MatrixBorders::place(scene, n, grip, state);
       state.placements.assign(n, Placement());
       for (unsigned int t = 0; t < tows.size(); ++t)
         for (unsigned int side = 0; side < 2; ++side)
@@ -124,7 +124,7 @@ namespace fiberloom
             state.placements[body(t, side)].position =
               mean / tows[t].fibers.size();
           }
-      MatrixBorders::place(scene, n, state);
+      MatrixBorders::place(scene, n, grip, state);
     }
 
 
@@ -140,13 +140,9 @@ namespace fiberloom
           pull += .5 * axis(scene.fibers.tows[t])
                          .dot(reactions[body(t, 1)].head<3>() -
                               reactions[body(t, 0)].head<3>());
-      // On the matrix, start and end of x, then of y.
-      const unsigned int border = 2 * scene.fibers.tows.size() + 1 +
-                                  (family == Tow::Family::warp ? 0 : 2);
-      const unsigned int c = family == Tow::Family::warp ? 0 : 1;
-      if (border < reactions.size())
-        pull += .5 * (reactions[border + 1][c] - reactions[border][c]);
-      return pull;
+      return pull + MatrixBorders::pull(2 * scene.fibers.tows.size() + 1,
+                                        family == Tow::Family::warp ? 0 : 1,
+                                        reactions);
     }
   } // namespace TowEnds
 } // namespace fiberloom

@@ -44,7 +44,7 @@ namespace fiberloom
   void
   Weave::begin(State &state) const
   {
-    TowEnds::place(scene, state);
+    TowEnds::place(scene, MatrixBorders::Grip::none, state);
   }
 
 

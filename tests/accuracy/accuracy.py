@@ -32,7 +32,7 @@ sys.path[:0] = [HERE, os.path.join(HERE, "..", "verification")]
 
 import unseen
 from plot import front, picture
-from scenes import LEVELS, SCENES, error
+from scenes import LEVELS, SCENES, SHORT, error
 from verify import Result, cpu_of_children
 
 PRM = os.path.join(HERE, "..", "..", "prm")
@@ -64,7 +64,7 @@ class Runs:
 
     def __call__(self, file, settings):
         if isinstance(settings, dict):
-            settings = [f"{entry}={value}" for entry, value in settings.items()]
+            settings = assignments(settings)
         words = [os.path.join(PRM, file + ".prm")]
         for setting in QUIET + tuple(settings):
             words += ["--set", setting]
@@ -112,7 +112,12 @@ def percent(value):
 
 
 def short(entry):
-    return entry.split("/")[-1] if entry != "Solver/Linear solver" else "Factor precision"
+    return SHORT.get(entry, entry.split("/")[-1])
+
+
+def assignments(settings):
+    """ENTRY=VALUE for all entries; a key may name several."""
+    return [f"{name}={value}" for entry, value in settings.items() for name in entry.split(" and ")]
 
 
 def level_settings(scene, level):
@@ -190,7 +195,7 @@ def read_references():
 def write_reference(name, scene, rows):
     references = read_references()
     references[name] = {"scene": f"prm/{scene.file}.prm",
-                        "settings": [f"{entry}={value}" for entry, value in {**scene.base, **scene.finest}.items()],
+                        "settings": assignments({**scene.base, **scene.finest}),
                         "rows": rows}
     with open(REFERENCES, "w") as file:
         json.dump(references, file, indent=1)

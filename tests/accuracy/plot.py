@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the fiberloom authors
 
-"""Errors over CPU seconds, both logarithmic, as a picture."""
+"""Errors over seconds, both logarithmic, as a picture."""
 
 import math
 from xml.sax.saxutils import escape
@@ -36,8 +36,8 @@ class Axis:
         return self.start + self.scale * (math.log10(value) - self.low)
 
 
-def picture(title, series):
-    """`series` has for each name its points (seconds, error)."""
+def picture(title, series, cost="CPU seconds", comparable=True):
+    """`series` has for each name its points (seconds, error), of the same number if they are comparable."""
     points = [point for line in series.values() for point in line]
     x = Axis([p[0] for p in points], LEFT, WIDTH - RIGHT)
     y = Axis([100 * p[1] for p in points], HEIGHT - BOTTOM, TOP)
@@ -52,12 +52,12 @@ def picture(title, series):
     for tick in y.ticks:
         out.append(f'<path stroke="#ddd" d="M{LEFT},{y(tick):.1f}H{WIDTH - RIGHT}"/>')
         out.append(text(LEFT - 8, y(tick) + 4, f"{tick:g}", 'text-anchor="end"'))
-    out.append(text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 10, "CPU seconds", 'text-anchor="middle"'))
+    out.append(text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - 10, cost, 'text-anchor="middle"'))
     middle = (TOP + HEIGHT - BOTTOM) / 2
     out.append(text(16, middle, "error [%]", f'text-anchor="middle" transform="rotate(-90 16 {middle})"'))
-    best = front(points)
-    out.append('<polyline fill="none" stroke="black" stroke-width="4" stroke-opacity="0.25" points="'
-               + " ".join(map(place, best)) + '"/>')
+    if comparable:
+        out.append('<polyline fill="none" stroke="black" stroke-width="4" stroke-opacity="0.25" points="'
+                   + " ".join(map(place, front(points))) + '"/>')
     for number, (name, line) in enumerate(series.items()):
         color = COLORS[number % len(COLORS)]
         if name not in ("levels", "together"):
@@ -67,7 +67,9 @@ def picture(title, series):
         height = TOP + 14 + 20 * number
         out.append(f'<circle cx="{WIDTH - RIGHT + 20}" cy="{height - 4}" r="{size}" fill="{color}"/>')
         out.append(text(WIDTH - RIGHT + 32, height, name))
-    height = TOP + 14 + 20 * len(series)
-    out.append(f'<path stroke="black" stroke-width="4" stroke-opacity="0.25" d="M{WIDTH - RIGHT + 10},{height - 4}h20"/>')
-    out.append(text(WIDTH - RIGHT + 36, height, "Pareto front"))
+    if comparable:
+        height = TOP + 14 + 20 * len(series)
+        out.append('<path stroke="black" stroke-width="4" stroke-opacity="0.25" '
+                   f'd="M{WIDTH - RIGHT + 10},{height - 4}h20"/>')
+        out.append(text(WIDTH - RIGHT + 36, height, "Pareto front"))
     return "\n".join(out + ["</svg>", ""])

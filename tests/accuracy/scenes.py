@@ -18,6 +18,10 @@ CONTACT = "Solver/Contact tolerance"
 NEWTON = "Solver/Newton tolerance"
 WEAVING = "Weaving/Step"
 PRECISION = "Solver/Linear solver"
+CELLS = "Matrix/Cells along x and Matrix/Cells along y"  # turned as one
+THROUGH = "Matrix/Cells through thickness"
+DEGREE = "Matrix/Degree"
+SHORT = {PRECISION: "Factor precision", CELLS: "Cells along x and y"}  # others by their last word
 FACTORS = ("double factor", "single factor")
 LEVELS = {"draft": .10, "standard": .02, "fine": .005}
 
@@ -128,4 +132,16 @@ SCENES = {
         {TOW_ELEMENTS: 24, STATIONS: 2, PENETRATION: .02, CONTACT: 1e-2, SLIP: .05, WEAVING: .5,
          "Biaxial/Largest step": .2, PRECISION: "single factor"},
         finest={TOW_ELEMENTS: 48, STATIONS: 4, PENETRATION: .005, CONTACT: 5e-4}),
+    "composite": Scene(
+        "plain_composite_biaxial",
+        "`prm/plain_composite_biaxial.prm`, a frictionless plain weave between two layers of matrix, pulled to 1 % "
+        "both ways. Error: the largest in the curves of both forces over the largest force, against the run with the "
+        "finest matrix; fibers and contact are the same in all.",
+        pull,
+        {CELLS: (2, 4, 8, 16),
+         THROUGH: (1, 2, 4),
+         DEGREE: (1, 2)},
+        {CELLS: 8, THROUGH: 1, DEGREE: 2},
+        finest={CELLS: 24, THROUGH: 2},
+        grid=((CELLS, (4, 8, 16)), (THROUGH, (1, 2)), (DEGREE, (1, 2)))),
 }

@@ -4,7 +4,7 @@
 """Turns one knob after the other to its extremes.
 
     extremes.py PROGRAM [--work DIRECTORY] [--write FILE] [--quick] [ROW ...]
-    extremes.py PROGRAM --weaves N [--seed N] [--work DIRECTORY]
+    extremes.py PROGRAM --weaves N [--first N] [--seed N] [--jobs N] [--work DIRECTORY]
 
 Rows are in rows.py, on scenes of prm/verification. A run has survived if it ends with status 0
 and its numbers are within their tolerance; failed if it refuses or gives up (status 1 or 2)
@@ -12,8 +12,9 @@ with one line that names a setting; is wrong if a number is off; crashed otherwi
 
 Prints a table: row, value, quantity, verdict, Newton iterations, error, tolerance, CPU seconds,
 and what those that failed said. Ends with status 1 if something is wrong or crashed. --write
-puts both into a document behind the line that says it is generated, after each row. --weaves
-runs random_weaves.py instead.
+puts both into a document behind the line that says it is generated, after each row, and pictures of
+errors over seconds, of rows where they have to fall, into pictures/extremes beside it. --weaves
+runs random_weaves.py instead, JOBS at a time and from number FIRST on.
 """
 
 import argparse
@@ -23,10 +24,11 @@ import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [HERE, os.path.join(HERE, "..", "verification")]
+sys.path[:0] = [HERE, os.path.join(HERE, "..", "verification"), os.path.join(HERE, "..", "accuracy")]
 
 import random_weaves
 import rows
+from plot import picture
 from verify import RunFailed, Runner
 
 HEADER = ["row", "value", "quantity", "verdict", "Newton iterations", "error", "tolerance", "CPU s"]
@@ -49,7 +51,7 @@ def verdict_of(failure, names):
 
 def sweep(arguments):
     names = entries(arguments.program)
-    table, messages = [], []
+    table, messages, falling = [], [], {}
     for row in arguments.rows or (rows.QUICK if arguments.quick else rows.ROWS):
         runner = Runner(row, arguments)
         for value, judge in rows.ROWS[row](runner):
@@ -58,6 +60,9 @@ def sweep(arguments):
                 result, checks = judge()
                 cost = [f"{result.newton_iterations}", f"{result.cpu_seconds:.1f}"] if result else ["", ""]
                 for check in checks:
+                    if isinstance(check, rows.Shown):
+                        series = falling.setdefault(row, {}).setdefault(f"{check.quantity}, {value.split(' ', 1)[1]}", [])
+                        series.append((seconds_of_mechanics(result), abs(check.error())))
                     number = check.shown_error() or f"{check.computed:.4g}"
                     lines.append([row, value, check.quantity, "survived" if check.good() else "wrong", cost[0], number,
                                   check.shown_tolerance(), cost[1]])
@@ -70,14 +75,20 @@ def sweep(arguments):
                 print(" | ".join(line), flush=True)
             table += lines
         if arguments.write:  # after each row, so that a sweep can be cut off
-            write(arguments.write, table, messages)
+            write(arguments.write, table, messages, falling)
     print(*messages, sep="\n")
     counts = {verdict: sum(line[3] == verdict for line in table) for verdict in ("survived", "failed") + UNUSABLE}
     print(", ".join(f"{count} {verdict}" for verdict, count in counts.items()))
     return any(counts[verdict] for verdict in UNUSABLE)
 
 
-def write(file, table, messages):
+def seconds_of_mechanics(result):
+    """Without the program's start and output, most of the time of a small scene."""
+    return sum(stage["seconds"][part] for stage in result.summary["stages"]
+               for part in ("detection", "assembly", "linear_solver"))
+
+
+def write(file, table, messages, falling):
     with open(file) as document:
         text = document.read()
     if MARK not in text:
@@ -85,6 +96,13 @@ def write(file, table, messages):
     lines = "\n".join("| " + " | ".join(line) + " |" for line in [HEADER, ["---"] * len(HEADER)] + table)
     about = "\n".join(f"- **{row}**: {' '.join(rows.ROWS[row].__doc__.split())}"
                       for row in dict.fromkeys(line[0] for line in table))
+    pictures = os.path.join(os.path.dirname(os.path.abspath(file)), "pictures", "extremes")
+    os.makedirs(pictures, exist_ok=True)
+    for row, series in falling.items():
+        with open(os.path.join(pictures, f"{row}.svg"), "w") as drawing:
+            drawing.write(picture(row, series, "seconds of detection, assembly and linear solver",
+                                  comparable=False))
+        about += f"\n\n![{row}: errors over seconds](pictures/extremes/{row}.svg)"
     said = "".join(f"- {message}\n" for message in messages) or "None failed.\n"
     with open(file + ".new", "w") as document:
         document.write(f"{text.split(MARK)[0]}{MARK}\n\n{about}\n\n{lines}\n\n## What those that failed said\n\n{said}")
@@ -99,7 +117,9 @@ def main():
     parser.add_argument("--write")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--weaves", type=int)
+    parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
     arguments = parser.parse_intermixed_args()
     arguments.ranks = 1
     os.makedirs(arguments.work, exist_ok=True)

@@ -7,10 +7,15 @@ Fabric N of a seed is always the same, whatever the number of fabrics, so that o
 is wrong can be woven again from what is printed.
 """
 
+import argparse
+import concurrent.futures
+import os
 import random
+import shutil
+import subprocess
 import time
 
-from verify import RunFailed, Runner, subprocess
+from verify import RunFailed, Runner
 
 SCENE = "../../tests/scenes/small_weave"
 
@@ -34,23 +39,34 @@ def settings(seed, number):
     return found
 
 
+def woven(number, arguments, names, verdict_of):
+    """Verdict on a fabric, and what the program said to it."""
+    runner = Runner("weaves", argparse.Namespace(work=os.path.join(arguments.work, str(number)),
+                                                 program=arguments.program, ranks=1))
+    try:
+        result = runner(*settings(arguments.seed, number), scene=SCENE)
+        wrong = any(stage["crossings_out_of_order"] for stage in result.summary["stages"])
+        found = "wrong" if wrong else "in order", ""
+    except RunFailed as failure:
+        found = verdict_of(failure, names), f" status {failure.status}: {failure.message}"
+    except subprocess.TimeoutExpired:
+        found = "crashed", " no end"
+    if found[0] == "in order":
+        shutil.rmtree(runner.arguments.work)
+    return found
+
+
 def weave(arguments, names, verdict_of):
     counts = dict.fromkeys(("in order", "failed", "wrong", "crashed"), 0)
     start = time.time()
-    for number in range(arguments.weaves):
-        given, said = settings(arguments.seed, number), ""
-        try:
-            result = Runner("weaves", arguments)(*given, scene=SCENE)
-            wrong = max(stage["crossings_out_of_order"] for stage in result.summary["stages"])
-            verdict = "wrong" if wrong else "in order"
-        except RunFailed as failure:
-            verdict, said = verdict_of(failure, names), f"status {failure.status}: {failure.message}"
-        except subprocess.TimeoutExpired:
-            verdict, said = "crashed", "no end"
-        counts[verdict] += 1
-        print(f"{number} {verdict} {said}", flush=True)
-        if verdict != "in order":
-            print("   " + " ".join(f'--set "{entry}"' for entry in given), flush=True)
-    print(f"seed {arguments.seed}, {arguments.weaves} weaves in {time.time() - start:.0f} s: "
+    numbers = range(arguments.first, arguments.first + arguments.weaves)
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as jobs:
+        for number, (verdict, said) in zip(numbers, jobs.map(
+                lambda number: woven(number, arguments, names, verdict_of), numbers)):
+            counts[verdict] += 1
+            print(f"{number} {verdict}{said}", flush=True)
+            if verdict != "in order":
+                print("   " + " ".join(f'--set "{entry}"' for entry in settings(arguments.seed, number)), flush=True)
+    print(f"seed {arguments.seed}, {arguments.weaves} weaves from {arguments.first} on in {time.time() - start:.0f} s: "
           + ", ".join(f"{count} {verdict}" for verdict, count in counts.items()))
     return counts["wrong"] + counts["crashed"] > 0

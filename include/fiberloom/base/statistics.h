@@ -34,6 +34,7 @@ namespace fiberloom
     double mesh        = std::numeric_limits<double>::quiet_NaN();
     double stations    = std::numeric_limits<double>::quiet_NaN();
     double penetration = std::numeric_limits<double>::quiet_NaN();
+    double matrix      = std::numeric_limits<double>::quiet_NaN();
     double total       = std::numeric_limits<double>::quiet_NaN();
   };
 
@@ -50,6 +51,7 @@ namespace fiberloom
     unsigned int linear_iterations               = 0;
     unsigned int factorizations                  = 0;
     double       largest_penetration_over_radius = 0;
+    double       largest_section_change          = 0; // over its width
     unsigned int crossings_out_of_order          = 0;
     std::size_t  contact_elements                = 0;
     Seconds      seconds;

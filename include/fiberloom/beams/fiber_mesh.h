@@ -130,6 +130,13 @@ namespace fiberloom
     bool
     is_folded(const DofVector &q) const;
 
+    /**
+     * Largest relative change of a section's width at a node, over all its
+     * directions.
+     */
+    double
+    largest_section_change(const DofVector &q) const;
+
     /** Clamps @p u to the fiber. */
     ElementPoint
     locate(const unsigned int fiber, const double u) const;

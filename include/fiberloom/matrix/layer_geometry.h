@@ -46,6 +46,10 @@ namespace fiberloom
     }
   };
 
+  /** The same block with @p n cells along each edge of one. */
+  LayerBlock
+  subdivided(const LayerBlock &block, const unsigned int n);
+
   /** Where the layers of matrix are without stress; empty: there is none. */
   struct LayerGeometry
   {

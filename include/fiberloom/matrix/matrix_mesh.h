@@ -42,9 +42,9 @@ namespace fiberloom
 
   /**
    * The layers of matrix as hexahedra of deal.II with Lagrange elements of
-   * degree 1 or 2. Every rank has all cells, as it has all fibers; who
-   * assembles what is decided by who owns its nodes. Node n has the
-   * displacements of x, y and z.
+   * degree 1 or 2, block after block, x first. Every rank has all cells, as it
+   * has all fibers; who assembles what is decided by who owns its nodes. Node n
+   * has the displacements of x, y and z.
    */
   class MatrixMesh
   {
@@ -118,6 +118,10 @@ namespace fiberloom
      * outside every cell. */
     std::optional<CellPoint>
     locate(const Vector3 &position) const;
+
+    /** Coordinates in a cell of its node number @p node_of_cell . */
+    Vector3
+    unit_point(const unsigned int node_of_cell) const;
 
     /** Of the cell's nodes, at @p point . */
     std::vector<double>

@@ -18,9 +18,9 @@ namespace fiberloom
    * How far the loading curve of stage @p name is from the converged one at the
    * end of its last increment, which led from @p before to @p found . From the
    * state found, a few iterations are done with elements half as long, with
-   * twice the stations, or with stiffer contact; what changes in the curve is
-   * taken on to the limit. Parts that are not to be had, as in
-   * composites, are NaN. Collective.
+   * twice the stations, with stiffer contact, or with cells of the matrix half
+   * as large; what changes in the curve is taken on to the limit. NaN where
+   * that is not to be had. Collective.
    */
   ErrorEstimate
   estimate_error(const Scene       &scene,

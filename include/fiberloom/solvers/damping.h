@@ -92,6 +92,7 @@ namespace fiberloom
     unsigned int         patience = 0; // iterations before it is quiet
     bool                 cycles = false, cycle_ended = false;
     unsigned int         position = 0; // steps of the cycle so far
+    unsigned int         n_waits  = 0; // steps after it
     unsigned int         n_slow   = 0; // steps in a row that changed forces
     std::vector<double>  of_lines;     // over the value; may be empty
     Eigen::VectorXd      last_step;

@@ -12,11 +12,14 @@ namespace fiberloom
 {
   /**
    * Rigid bodies on the four upright borders of the matrix: x start, x end, y
-   * start, y end, in this order behind the bodies of a fabric's tow ends.
+   * start, y end, in this order behind the bodies of a fabric's tow ends. What
+   * holds displacements across borders also needs one on each upright edge,
+   * which belongs to two of them: at x start those of y start and y end, then
+   * at x end.
    */
   namespace MatrixBorders
   {
-    constexpr unsigned int n_bodies = 4;
+    constexpr unsigned int n_bodies = 4, n_edges = 4;
 
     /** What the bodies hold of their nodes. */
     enum class Grip
@@ -36,8 +39,8 @@ namespace fiberloom
 
     /**
      * Adds the bodies, all dofs prescribed, to @p supports , and lets them hold
-     * their nodes. Edges between two borders go with those of x. None where
-     * the scene has no matrix.
+     * their nodes. Edges that are held whole go with the borders of x. None
+     * where the scene has no matrix.
      */
     void
     add(const Scene &scene, const Grip grip, Supports &supports);
@@ -45,7 +48,17 @@ namespace fiberloom
     /** Places them in the middle of their nodes, from body number @p first on.
      */
     void
-    place(const Scene &scene, const unsigned int first, State &state);
+    place(const Scene       &scene,
+          const unsigned int first,
+          const Grip         grip,
+          State             &state);
+
+    /** Mean pull along @p axis , 0 or 1, on the two borders across it, from
+     * body number @p first on [N]. */
+    double
+    pull(const unsigned int             first,
+         const unsigned int             axis,
+         const std::vector<BodyVector> &reactions);
   } // namespace MatrixBorders
 } // namespace fiberloom
 

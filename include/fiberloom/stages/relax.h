@@ -33,6 +33,12 @@ namespace fiberloom
     double
     first_step(const State &state) const override;
 
+    bool
+    is_test() const override
+    {
+      return false;
+    }
+
     CurveRow
     curve(const State                   &state,
           const std::vector<BodyVector> &reactions) const override;

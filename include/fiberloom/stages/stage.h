@@ -137,6 +137,13 @@ namespace fiberloom
       return false;
     }
 
+    /** Whether the curve tells how the sample answers a load. */
+    virtual bool
+    is_test() const
+    {
+      return true;
+    }
+
     /** The stage's columns of the loading curve. */
     virtual CurveRow
     curve(const State                   &state,

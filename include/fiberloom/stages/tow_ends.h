@@ -41,7 +41,7 @@ namespace fiberloom
 
     /** Placements at the mean of the held centres, where @p state has none. */
     void
-    place(const Scene &scene, State &state);
+    place(const Scene &scene, const MatrixBorders::Grip grip, State &state);
 
     /** Mean axial pull on the two ends of all tows of a family and, where it is
      * held, of the matrix across the same borders [N]. */

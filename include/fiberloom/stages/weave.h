@@ -49,6 +49,12 @@ namespace fiberloom
                    const State &before,
                    Equilibrium &equilibrium) const override;
 
+    bool
+    is_test() const override
+    {
+      return false;
+    }
+
     CurveRow
     curve(const State                   &state,
           const std::vector<BodyVector> &reactions) const override;

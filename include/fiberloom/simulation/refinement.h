@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_simulation_refinement_h
+#define fiberloom_simulation_refinement_h
+
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/stages/stage.h>
+
+#include <vector>
+
+namespace fiberloom
+{
+  /** What is finer than in the scene. */
+  struct Refinement
+  {
+    unsigned int elements  = 1; // of fibers, for one
+    double       stations  = 1; // over the length, for one
+    double       stiffness = 1;
+    unsigned int cells     = 1; // of the matrix along each direction, for one
+  };
+
+  /** Of a finer scene, with a tolerance far below that by which a state was
+   * found. */
+  Parameters
+  refine(Parameters parameters, const Refinement &refinement);
+
+  /** Carries states over to finer meshes: where material points are does not
+   * change but for the curvature of the reference. */
+  class Transfer
+  {
+  public:
+    /** To the mesh @p fine of the fibers, with @p matrix as in the states. */
+    Transfer(const Scene       &scene,
+             const MatrixState &matrix,
+             const FiberMesh   &fine,
+             const Refinement  &refinement);
+
+    State
+    operator()(State state) const;
+
+  private:
+    DofVector
+    fiber_dofs(const DofVector &q) const;
+
+    Eigen::VectorXd
+    matrix_dofs(const DofVector &q) const;
+
+    void
+    refine_cells();
+
+    const FiberMesh       &coarse;
+    const Composite       *composite; // the coarse one; null without matrix
+    const FiberMesh       &fine;
+    const Refinement      &refinement;
+    MatrixState            finer_matrix;
+    std::vector<CellPoint> places; // of its nodes, in the coarse one
+  };
+} // namespace fiberloom
+
+#endif
