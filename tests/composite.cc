@@ -12,6 +12,8 @@
 
 #include <fiberloom/model/system.h>
 
+#include <fiberloom/simulation/refinement.h>
+
 #include <fstream>
 
 #include "checks.h"
@@ -263,6 +265,56 @@ namespace
   }
 } // namespace
 
+namespace
+{
+  /** No junction feels that meshes got finer. */
+  void
+  check_transfer(Checks &checks)
+  {
+    SampleComposite sample;
+    System          system(sample.mesh,
+                  sample.supports,
+                  MPI_COMM_WORLD,
+                  sample.composite.get());
+    sample.disturb(system, .1);
+    const Parameters parameters;
+    const Scene      scene{parameters,
+                      sample.fibers,
+                      sample.mesh,
+                      sample.composite.get()};
+    const FiberMesh  finer_fibers(
+      loose_fibers({straight_fiber({-6, -3, 0}, {6, -2, 0}, 6),
+                     straight_fiber({-6, 1, 1}, {6, 0, -1}, 6),
+                     straight_fiber({-6, 4, 0}, {6, 4, 1}, 6)}));
+    for (const bool cells : {true, false})
+      {
+        const Refinement refinement{cells ? 1u : 2u, 1, 1, cells ? 2u : 1u};
+        const FiberMesh &fibers = cells ? sample.mesh : finer_fibers;
+        const State      finer =
+          Transfer(scene, sample.state.matrix, fibers, refinement)(
+            sample.state);
+        const Composite composite(finer.matrix, fibers);
+        double          change = 0, largest = 0;
+        for (unsigned int j = 0; j < composite.junctions().size(); ++j)
+          {
+            const Vector3 force =
+              sample.composite->junction_force(j, sample.state.q);
+            largest = std::max(largest, force.norm());
+            change =
+              std::max(change,
+                       (composite.junction_force(j, finer.q) - force).norm());
+          }
+        const std::string what = cells ? "finer cells" : "finer fibers";
+        checks.equal(what + ", cells",
+                     double(composite.matrix().n_cells()) /
+                       sample.composite->matrix().n_cells(),
+                     cells ? 8 : 1);
+        checks.above(what + ", largest force of a junction", largest, 1e-3);
+        checks.below(what + ", its change", change / largest, 1e-10);
+      }
+  }
+} // namespace
+
 int
 main(int argc, char **argv)
 {
@@ -272,4 +324,5 @@ main(int argc, char **argv)
   check_junctions(checks);
   check_rigid_motion(checks);
   check_derivatives(checks);
+  check_transfer(checks);
 }

@@ -133,23 +133,34 @@ namespace
                  double(fine.n_cells[0] * fine.n_cells[1] * fine.n_cells[2]) /
                    (block.n_cells[0] * block.n_cells[1] * block.n_cells[2]),
                  27);
-    double off = 0;
-    for (unsigned int k = 0; k < block.n_cells[2]; ++k)
-      for (unsigned int j = 0; j < block.n_cells[1]; ++j)
-        for (unsigned int i = 0; i < block.n_cells[0]; ++i)
+    LayerGeometry layers;
+    layers.blocks.push_back(block);
+    const MatrixMesh mesh(layers, 1, law);
+    double           off = 0;
+    for (unsigned int k = 0; k <= fine.n_cells[2]; ++k)
+      for (unsigned int j = 0; j <= fine.n_cells[1]; ++j)
+        for (unsigned int i = 0; i <= fine.n_cells[0]; ++i)
           {
-            const Vector3 corner = block.vertex(i, j, k),
-                          x      = block.vertex(i + 1, j, k) - corner,
-                          z      = block.vertex(i, j, k + 1) - corner,
-                          twist =
-                            block.vertex(i + 1, j, k + 1) - corner - x - z;
-            off = std::max({off,
-                            (fine.vertex(3 * i, 3 * j, 3 * k) - corner).norm(),
-                            (fine.vertex(3 * i + 2, 3 * j, 3 * k + 1) - corner -
-                             2. / 3 * x - 1. / 3 * z - 2. / 9 * twist)
-                              .norm()});
+            const std::array<unsigned int, 3> place{{i, j, k}};
+            std::array<unsigned int, 3>       cell;
+            CellPoint                         point;
+            for (unsigned int d = 0; d < 3; ++d)
+              {
+                cell[d] = std::min(place[d] / 3, block.n_cells[d] - 1);
+                point.coordinates[d] = place[d] / 3. - cell[d];
+              }
+            point.cell = cell[0] + block.n_cells[0] *
+                                     (cell[1] + block.n_cells[1] * cell[2]);
+            const auto values = mesh.shape_values(point);
+            Vector3    vertex = fine.vertex(i, j, k);
+            for (unsigned int a = 0; a < values.size(); ++a)
+              vertex -= values[a] * mesh.reference().segment<3>(
+                                      3 * mesh.nodes(point.cell)[a]);
+            off = std::max(off, vertex.norm());
           }
-    checks.below("vertices off the faces of the coarse ones", off, 1e-12);
+    checks.below("vertices off where the map of the coarse cell has them",
+                 off,
+                 1e-12);
   }
 
   void

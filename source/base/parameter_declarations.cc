@@ -296,7 +296,8 @@ namespace fiberloom
                     Allowed::text_like("such as x start, top"));
       catalogue.add("Matrix held",
                     drive.matrix_held,
-                    "Displacements that it holds there.",
+                    "Displacements that it holds there. An edge goes with "
+                    "the first drive that has it.",
                     Allowed::text_like("some of x y z with blanks between"));
       catalogue.add("Center",
                     drive.center,

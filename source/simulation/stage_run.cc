@@ -85,7 +85,12 @@ namespace fiberloom
                   })
     , shown(statistics)
     , counted_searches(generator.n_searches())
-  {}
+  {
+    if (is_begun(state) && state.placements.size() != supports.bodies.size())
+      throw InputError("stage " + name +
+                       " was begun with other rigid bodies, "
+                       "by another version: restart from a checkpoint before");
+  }
 
 
 

@@ -297,11 +297,7 @@ namespace fiberloom
       control(data, 18) = 3;  // distributed entries
       control(data, 28) = 1;  // sequential analysis
       data.cntl[0]      = 0;  // no numerical pivoting
-      if (sections)
-        {
-          control(data, 35) = 2; // low-rank blocks, in the solution as well,
-          control(data, 36) = 1; // compressed before they are solved for
-        }
+      control(data, 36) = 1;  // low-rank blocks compressed before solved for
     }
 
     ~Typed() override
@@ -476,7 +472,7 @@ namespace fiberloom
     analyse_ordered()
     {
       if (sections)
-        control(data, 35) = 2; // else no later factor could have such blocks
+        control(data, 35) = 2; // low-rank blocks; 0 here forbids them later
       data.perm_in = positions.data();
       data.job     = 1;
       call(data);

@@ -127,18 +127,27 @@ namespace fiberloom
       state.placements.resize(first);
       const auto positions       = scene.composite->positions(state.q);
       const auto borders_of_node = borders(scene.composite->matrix());
-      for (unsigned int body = 0; body < number_of_bodies(grip); ++body)
+      for (unsigned int body = 0; body < n_bodies; ++body)
         {
           Vector3      sum     = Vector3::Zero();
           unsigned int n_nodes = 0;
           for (unsigned int node = 0; node < borders_of_node.size(); ++node)
-            if ((borders_of_body(body) & ~borders_of_node[node]) == 0)
+            if (borders_of_node[node] >> body & 1)
               {
                 sum += positions.segment<3>(3 * node);
                 ++n_nodes;
               }
           state.placements.emplace_back();
           state.placements.back().position = sum / n_nodes;
+        }
+      // An edge goes with each of its borders across that one.
+      for (unsigned int edge = 0; edge < number_of_bodies(grip) - n_bodies;
+           ++edge)
+        {
+          Placement placement = state.placements[first + edge / 2];
+          placement.position.y() =
+            state.placements[first + 2 + edge % 2].position.y();
+          state.placements.push_back(placement);
         }
     }
 

@@ -144,7 +144,7 @@ def measure(scene, run):
         print(f"{knob} | {value} | {percent(point.error)} | {point.seconds:.2f} s | {point.iterations}", flush=True)
         return point
 
-    for level in LEVELS:
+    for level in LEVELS if scene.levels is not None else ():
         add("levels", level, level_settings(scene, level))
     for entry, values in scene.knobs.items():
         line = [add(short(entry), f"{value}", {**scene.base, entry: value}) for value in values]
@@ -217,6 +217,8 @@ def study(name, run, document):
     os.makedirs(pictures, exist_ok=True)
     with open(os.path.join(pictures, name + ".svg"), "w") as file:
         file.write(picture(re.split("[.:]", scene.about)[0].replace("`", ""), series))
+    if scene.levels is None:
+        return
     levels = [[name] + [f"{percent(point.error)}, {point.seconds:.2f} s, {point.iterations}"
                         for point in points if point.knob == "levels"]]
     with open(document) as text:
@@ -256,14 +258,15 @@ def main():
     parser.add_argument("--keep", action="store_true")
     parser.add_argument("--levels", action="store_true")
     arguments = parser.parse_intermixed_args()
-    names = arguments.scenes or list(SCENES) + ([] if arguments.levels else ["unseen"])
+    names = arguments.scenes or list(SCENES) + ["unseen"]
     unknown = set(names) - set(SCENES) - {"unseen"}
     if unknown:
         parser.error(f"no scene {', '.join(sorted(unknown))}; allowed: {', '.join(SCENES)}, unseen")
     os.makedirs(arguments.work, exist_ok=True)
     run = Runs(arguments.program, arguments.work, arguments.keep)
     if arguments.levels:
-        sys.exit(hold_levels([name for name in names if name in SCENES], run) > 0)
+        held = set(read_references()) | {name for name, scene in SCENES.items() if not scene.finest}
+        sys.exit(hold_levels([name for name in names if name in held and SCENES[name].levels is not None], run) > 0)
     for name in names:
         print(f"== {name}", flush=True)
         if name == "unseen":

@@ -34,7 +34,7 @@ class Scene:
         self.exact = exact      # rows in closed form
         self.finest = finest    # or the settings of the run that counts as converged
         self.grid = grid        # settings that are turned together
-        self.levels = levels    # settings beside Accuracy for the three levels
+        self.levels = levels    # settings beside Accuracy for the three levels; None: these are not for it
         self.held = held        # rows in closed form that levels are held to beside the finest run
 
 
@@ -142,6 +142,6 @@ SCENES = {
          THROUGH: (1, 2, 4),
          DEGREE: (1, 2)},
         {CELLS: 8, THROUGH: 1, DEGREE: 2},
-        finest={CELLS: 24, THROUGH: 2},
-        grid=((CELLS, (4, 8, 16)), (THROUGH, (1, 2)), (DEGREE, (1, 2)))),
+        finest={CELLS: 24, THROUGH: 4},
+        grid=((CELLS, (4, 8, 16)), (THROUGH, (1, 2)), (DEGREE, (1, 2))), levels=None),
 }

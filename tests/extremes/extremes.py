@@ -33,6 +33,7 @@ from verify import RunFailed, Runner
 
 HEADER = ["row", "value", "quantity", "verdict", "Newton iterations", "error", "tolerance", "CPU s"]
 MARK = "<!-- generated from here on by ./loom extremes -->"
+LEAST = 1e-9  # an error below it is drawn as this one
 UNUSABLE = ("wrong", "crashed")
 
 
@@ -61,8 +62,8 @@ def sweep(arguments):
                 cost = [f"{result.newton_iterations}", f"{result.cpu_seconds:.1f}"] if result else ["", ""]
                 for check in checks:
                     if isinstance(check, rows.Shown):
-                        series = falling.setdefault(row, {}).setdefault(f"{check.quantity}, {value.split(' ', 1)[1]}", [])
-                        series.append((seconds_of_mechanics(result), abs(check.error())))
+                        series = falling.setdefault(row, {}).setdefault(f"{check.quantity}, {value.partition(' ')[2]}", [])
+                        series.append((seconds_of_mechanics(result), max(abs(check.error()), LEAST)))
                     number = check.shown_error() or f"{check.computed:.4g}"
                     lines.append([row, value, check.quantity, "survived" if check.good() else "wrong", cost[0], number,
                                   check.shown_tolerance(), cost[1]])

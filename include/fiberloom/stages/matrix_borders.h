@@ -12,10 +12,10 @@ namespace fiberloom
 {
   /**
    * Rigid bodies on the four upright borders of the matrix: x start, x end, y
-   * start, y end, in this order behind the bodies of a fabric's tow ends. What
-   * holds displacements across borders also needs one on each upright edge,
-   * which belongs to two of them: at x start those of y start and y end, then
-   * at x end.
+   * start, y end, in this order behind the bodies of a fabric's tow ends. With
+   * Grip::across four more follow, on the upright edges x start and y start, x
+   * start and y end, x end and y start, x end and y end, which hold both
+   * displacements.
    */
   namespace MatrixBorders
   {
