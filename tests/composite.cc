@@ -290,11 +290,10 @@ namespace
       {
         const Refinement refinement{cells ? 1u : 2u, 1, 1, cells ? 2u : 1u};
         const FiberMesh &fibers = cells ? sample.mesh : finer_fibers;
-        const State      finer =
-          Transfer(scene, sample.state.matrix, fibers, refinement)(
-            sample.state);
-        const Composite composite(finer.matrix, fibers);
-        double          change = 0, largest = 0;
+        const Transfer transfer(scene, sample.state.matrix, fibers, refinement);
+        const State    finer       = transfer(sample.state);
+        const Composite &composite = *transfer.finer();
+        double           change = 0, largest = 0;
         for (unsigned int j = 0; j < composite.junctions().size(); ++j)
           {
             const Vector3 force =

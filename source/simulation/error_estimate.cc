@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -64,13 +63,10 @@ namespace fiberloom
       const FiberSet   fibers     = build_fiber_set(parameters);
       const FiberMesh  mesh(fibers);
       const Transfer   transfer(scene, found.matrix, mesh, refinement);
-      const State      start = transfer(before);
-      State            state = transfer(found);
-      state.contact.history  = start.contact.history;
-      std::optional<Composite> matrix;
-      if (scene.composite)
-        matrix.emplace(state.matrix, mesh);
-      const Composite *composite = matrix ? &*matrix : nullptr;
+      const State      start     = transfer(before);
+      State            state     = transfer(found);
+      state.contact.history      = start.contact.history;
+      const Composite *composite = transfer.finer();
       const auto       stage =
         create_stage(name, {parameters, fibers, mesh, composite});
       const Supports   supports = stage->supports(state.stage_start_q);

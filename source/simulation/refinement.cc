@@ -60,7 +60,7 @@ namespace fiberloom
       junction.point =
         fine.locate(coarse.fiber_of_element(junction.point.element),
                     refinement.elements * coarse.parameter(junction.point));
-    if (refinement.cells > 1)
+    if (composite)
       refine_cells();
   }
 
@@ -120,8 +120,8 @@ namespace fiberloom
   Eigen::VectorXd
   Transfer::matrix_dofs(const DofVector &q) const
   {
-    if (places.empty())
-      return q.tail(q.size() - coarse.reference().size());
+    if (!composite)
+      return {};
     const MatrixMesh     &matrix = composite->matrix();
     const Eigen::VectorXd x      = composite->positions(q);
     Eigen::VectorXd       result(3 * places.size());
@@ -157,16 +157,6 @@ namespace fiberloom
         first_coarse += coarse[0] * coarse[1] * coarse[2];
       }
 
-    const MatrixMesh finer(finer_matrix.layers, matrix.degree(), matrix.law());
-    places.resize(finer.n_nodes());
-    for (unsigned int cell = 0; cell < matrix.n_cells(); ++cell)
-      for (unsigned int part = 0; part < parts[cell].size(); ++part)
-        {
-          const Vector3 corner(part % n, part / n % n, part / n / n);
-          const auto   &nodes = finer.nodes(parts[cell][part]);
-          for (unsigned int a = 0; a < nodes.size(); ++a)
-            places[nodes[a]] = {cell, (corner + finer.unit_point(a)) / n};
-        }
     for (Junction &junction : finer_matrix.junctions)
       {
         const Vector3               place = n * junction.place.coordinates;
@@ -177,5 +167,17 @@ namespace fiberloom
                                [corner[0] + n * (corner[1] + n * corner[2])],
                           place - Vector3(corner[0], corner[1], corner[2])};
       }
+
+    finer_composite         = std::make_unique<Composite>(finer_matrix, fine);
+    const MatrixMesh &finer = finer_composite->matrix();
+    places.resize(finer.n_nodes());
+    for (unsigned int cell = 0; cell < matrix.n_cells(); ++cell)
+      for (unsigned int part = 0; part < parts[cell].size(); ++part)
+        {
+          const Vector3 corner(part % n, part / n % n, part / n / n);
+          const auto   &nodes = finer.nodes(parts[cell][part]);
+          for (unsigned int a = 0; a < nodes.size(); ++a)
+            places[nodes[a]] = {cell, (corner + finer.unit_point(a)) / n};
+        }
   }
 } // namespace fiberloom

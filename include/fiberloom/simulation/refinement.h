@@ -8,6 +8,7 @@
 
 #include <fiberloom/stages/stage.h>
 
+#include <memory>
 #include <vector>
 
 namespace fiberloom
@@ -40,6 +41,13 @@ namespace fiberloom
     State
     operator()(State state) const;
 
+    /** The finer one, as long as this lives; null without matrix. */
+    const Composite *
+    finer() const
+    {
+      return finer_composite.get();
+    }
+
   private:
     DofVector
     fiber_dofs(const DofVector &q) const;
@@ -50,12 +58,13 @@ namespace fiberloom
     void
     refine_cells();
 
-    const FiberMesh       &coarse;
-    const Composite       *composite; // the coarse one; null without matrix
-    const FiberMesh       &fine;
-    const Refinement      &refinement;
-    MatrixState            finer_matrix;
-    std::vector<CellPoint> places; // of its nodes, in the coarse one
+    const FiberMesh           &coarse;
+    const Composite           *composite; // the coarse one; null without matrix
+    const FiberMesh           &fine;
+    const Refinement          &refinement;
+    MatrixState                finer_matrix;
+    std::unique_ptr<Composite> finer_composite;
+    std::vector<CellPoint>     places; // of its nodes, in the coarse one
   };
 } // namespace fiberloom
 

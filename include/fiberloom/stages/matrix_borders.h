@@ -45,8 +45,8 @@ namespace fiberloom
     void
     add(const Scene &scene, const Grip grip, Supports &supports);
 
-    /** Places them in the middle of their nodes, from body number @p first on.
-     */
+    /** Places them in the middle of their nodes, from body number @p first on;
+     * bodies of edges where they go with both borders. */
     void
     place(const Scene       &scene,
           const unsigned int first,
