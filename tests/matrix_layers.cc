@@ -96,6 +96,33 @@ namespace
                  0);
   }
 
+  /** Two double rows of fibers and a single one beside them: there two layers
+   * with an overlap of a radius would meet. */
+  void
+  check_thin_places(Checks &checks)
+  {
+    std::vector<Fiber> fibers;
+    for (const Vector3 &place : {Vector3(0, 0, -1.05),
+                                 Vector3(0, 0, 1.05),
+                                 Vector3(0, 2.2, -1.05),
+                                 Vector3(0, 2.2, 1.05),
+                                 Vector3(0, 6, 0)})
+      fibers.push_back(straight_fiber(place - Vector3(30, 0, 0),
+                                      place + Vector3(30, 0, 0),
+                                      4));
+    const FiberSet   set = loose_fibers(fibers);
+    const FiberMesh  mesh(set);
+    MatrixParameters matrix = parameters("both");
+    matrix.overlap          = 1;
+    matrix.cells_along_y    = 4;
+    const auto   layers     = build_layers(matrix, mesh, mesh.reference());
+    const double thick      = layers.blocks[1].vertex(3, 1, 0).z(),
+                 thin       = layers.blocks[1].vertex(3, 4, 0).z();
+    checks.equal("inner face on two fibers, less the overlap", thick, 1.05);
+    checks.equal("inner face on one, less 0.45 of its thickness", thin, .1);
+    checks.equal("and from below", layers.blocks[0].vertex(3, 4, 2).z(), -.1);
+  }
+
   void
   check_location(Checks &checks, const FiberMesh &fibers)
   {
@@ -216,6 +243,7 @@ main()
   const FiberSet  fibers = waves();
   const FiberMesh mesh(fibers);
   check_faces(checks, mesh);
+  check_thin_places(checks);
   check_location(checks, mesh);
   check_subdivision(checks, mesh);
   check_repair(checks, mesh);

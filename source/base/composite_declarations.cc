@@ -48,7 +48,8 @@ namespace fiberloom
       catalogue.add("Overlap",
                     matrix.overlap,
                     "How deep the inner face lies below the woven surface "
-                    "[mm]. 0: the largest fiber radius.",
+                    "[mm], of two layers at most 0.45 of the fabric's "
+                    "thickness there. 0: the largest fiber radius.",
                     Allowed::at_least(0));
       catalogue.add("Size along x",
                     matrix.size_x,

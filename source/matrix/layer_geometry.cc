@@ -67,14 +67,31 @@ namespace fiberloom
           "allowed: fewer Cells along x and y, or a larger Thickness");
     }
 
+    // Each of two layers leaves the other this part of the fabric where that is
+    // thin, as next to a single fiber: faces that nearly meet turn cells over.
+    constexpr double largest_part = .45;
+
+    /** Lets faces on the woven surface into the fabric. */
     void
-    check_apart(const std::vector<double> &lower,
-                const std::vector<double> &upper)
+    overlap_fabric(std::vector<double> &lower,
+                   std::vector<double> &upper,
+                   const double         overlap,
+                   const bool           both)
     {
+      unsigned int n_thin = 0;
       for (unsigned int v = 0; v < upper.size(); ++v)
-        if (!(upper[v] > lower[v]))
-          throw InputError("Matrix: the two layers meet inside the fabric; "
-                           "allowed: a smaller Overlap, or filled as Layers");
+        {
+          double depth = overlap;
+          if (both)
+            depth = std::min(depth, largest_part * (upper[v] - lower[v]));
+          n_thin += depth < overlap;
+          lower[v] += depth;
+          upper[v] -= depth;
+        }
+      if (n_thin > .5 * upper.size())
+        throw InputError("Matrix: the two layers meet inside most of the "
+                         "fabric; allowed: a smaller Overlap, or filled as "
+                         "Layers");
     }
   } // namespace
 
@@ -145,12 +162,7 @@ namespace fiberloom
 
     std::vector<double> lower = surface_heights(mesh, q, Side::lower, x, y),
                         upper = surface_heights(mesh, q, Side::upper, x, y);
-    for (double &height : lower)
-      height += parameters.overlap;
-    for (double &height : upper)
-      height -= parameters.overlap;
-    if (layers == "both")
-      check_apart(lower, upper);
+    overlap_fabric(lower, upper, parameters.overlap, layers == "both");
     if (layers == "lower" || layers == "both")
       {
         geometry.blocks.push_back(make_block(x, y, bottom, lower, n));

@@ -9,8 +9,6 @@
 
 #include <fiberloom/solvers/equilibrium.h>
 
-#include <deal.II/base/numbers.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -18,27 +16,11 @@ namespace fiberloom
 {
   namespace
   {
-    // Beyond this multiple of the largest penetration zones are stiffened. Each
-    // time costs iterations, so all that are beyond the second one take part,
-    // and do so before an increment begins.
-    constexpr double penetration_tolerance = 1.3, stiffened_from = .7;
-    constexpr double largest_stiffening = 6;
-
-    // Of a line penalty over Young's modulus: that of a fiber's own section.
-    constexpr double stiffness_of_section = dealii::numbers::PI_4;
-
     // The damped loop stiffens as soon as the residual is below this multiple
     // of the tolerance, not in every iteration, and at most so many times.
     constexpr double       stiffening_from = 10, loosest_stiffening = .1;
     constexpr unsigned int least_between       = 2;
     constexpr unsigned int largest_stiffenings = 20;
-
-    // More than in proportion: the force grows with the stiffness.
-    constexpr double stiffening = 2;
-
-    // Fibers deeper in each other than this multiple of it, and than twice of
-    // what they were, have been thrown there by a step.
-    constexpr double lost_penetration = 10;
 
     // Inner tolerance: a tenth of what the outer loop still has to remove.
     constexpr double inner_reduction = .1, loosest_inner = .02,
@@ -87,12 +69,6 @@ namespace fiberloom
           return true;
       return false;
     }
-
-    double
-    smaller_radius(const ContactElement &contact)
-    {
-      return std::min(contact.radii[0], contact.radii[1]);
-    }
   } // namespace
 
 
@@ -111,6 +87,7 @@ namespace fiberloom
     , statistics(statistics)
     , watch(std::move(watch))
     , damping(mesh)
+    , penetration(mesh, parameters.contact, system.motion())
     , prescribed_limit(parameters.solver.largest_move)
   {}
 
@@ -188,84 +165,6 @@ namespace fiberloom
     ScopedTimer timer(statistics.seconds.assembly);
     system.assemble_residual(state, problem.targets, contact_elements);
     return system.residual_norm() / residual_scale(problem);
-  }
-
-
-
-  double
-  Equilibrium::largest_penetration() const
-  {
-    double largest = 0;
-    for (const ContactElement &contact : contact_elements)
-      largest = std::max(largest, -contact.gap / smaller_radius(contact));
-    return largest;
-  }
-
-
-
-  bool
-  Equilibrium::is_imposed(const ContactElement &contact) const
-  {
-    const auto &lines = mesh.lines();
-    if (contact.stiffness <
-        stiffness_of_section * std::min(lines[contact.fibers[0]].young_modulus,
-                                        lines[contact.fibers[1]].young_modulus))
-      return false;
-    std::array<int, 2> bodies{{-1, -1}};
-    for (unsigned int s = 0; s < 2; ++s)
-      for (unsigned int n = 0; n < 3; ++n)
-        bodies[s] =
-          std::max(bodies[s],
-                   system.motion().holding_body(contact.first_nodes[s] + n));
-    return bodies[0] >= 0 && bodies[0] == bodies[1];
-  }
-
-
-
-  double
-  Equilibrium::avoidable_penetration() const
-  {
-    double largest = 0;
-    for (const ContactElement &contact : contact_elements)
-      if (!is_imposed(contact))
-        largest = std::max(largest, -contact.gap / smaller_radius(contact));
-    return largest;
-  }
-
-
-
-  bool
-  Equilibrium::needs_stiffening() const
-  {
-    return parameters.contact.line_stiffness == 0 &&
-           avoidable_penetration() >
-             penetration_tolerance * parameters.contact.largest_penetration;
-  }
-
-
-
-  bool
-  Equilibrium::adapt_stiffness(State &state) const
-  {
-    if (parameters.contact.line_stiffness > 0)
-      return false;
-    const double        target = parameters.contact.largest_penetration;
-    std::vector<double> penetration(state.contact.zones.size(), 0.);
-    for (const ContactElement &contact : contact_elements)
-      if (!is_imposed(contact))
-        penetration[contact.zone] =
-          std::max(penetration[contact.zone],
-                   -contact.gap / smaller_radius(contact));
-
-    bool changed = false;
-    for (unsigned int z = 0; z < penetration.size(); ++z)
-      if (penetration[z] > stiffened_from * target)
-        {
-          state.contact.zones[z].stiffness *=
-            std::min(stiffening * penetration[z] / target, largest_stiffening);
-          changed = true;
-        }
-    return changed;
   }
 
 
@@ -425,7 +324,7 @@ namespace fiberloom
             return false;
           case Step::moved:
             // Slender fibers that are few come back by themselves.
-            if (generator.weaves() && is_lost())
+            if (generator.weaves() && penetration.is_thrown(contact_elements))
               return false;
             break;
         }
@@ -450,7 +349,7 @@ namespace fiberloom
     state = problem.before;
     generate(state, problem);
     if (follows(problem) && system.motion().moves(state, problem.targets) &&
-        adapt_stiffness(state))
+        penetration.stiffen(contact_elements, state.contact.zones))
       generate(state, problem);
   }
 
@@ -460,9 +359,7 @@ namespace fiberloom
   Equilibrium::extrapolate(State &state, const Problem &problem)
   {
     begin(state, problem);
-    deepest_penetration =
-      std::max(lost_penetration * parameters.contact.largest_penetration,
-               2 * avoidable_penetration());
+    penetration.remember(contact_elements);
     // What does not touch bends freely: turns are too large to go on straight.
     if (contact_elements.empty())
       return true;
@@ -481,7 +378,7 @@ namespace fiberloom
           if (!too_far)
             {
               generate(state, problem);
-              too_far = is_lost();
+              too_far = penetration.is_thrown(contact_elements);
               if (!too_far && !contact_elements.empty())
                 return true;
             }
@@ -535,7 +432,8 @@ namespace fiberloom
     // Frozen normals let soft modes of a tow run away, or never settle. In the
     // damped loop normals follow every iteration: from where slow loops got,
     // else from the last good state, unless it has failed from there.
-    const bool goes_on = nested == Outcome::slow && !is_lost();
+    const bool goes_on =
+      nested == Outcome::slow && !penetration.is_thrown(contact_elements);
     if (goes_on || !loop_first)
       {
         if (!goes_on)
@@ -556,15 +454,6 @@ namespace fiberloom
   {
     return {{parameters.solver.damping,
              stronger_damping * parameters.solver.damping}};
-  }
-
-
-
-  bool
-  Equilibrium::is_lost() const
-  {
-    return parameters.contact.line_stiffness == 0 &&
-           avoidable_penetration() > deepest_penetration;
   }
 
 
@@ -592,7 +481,8 @@ namespace fiberloom
                       !system.motion().moves(state, problem.targets);
             if (settled)
               {
-                if (normals == 0 && !needs_stiffening())
+                if (normals == 0 &&
+                    !penetration.needs_stiffening(contact_elements))
                   return Outcome::converged;
                 break;
               }
@@ -619,8 +509,8 @@ namespace fiberloom
             if (contact_elements.empty())
               return Outcome::converged;
           }
-        if (needs_stiffening())
-          adapt_stiffness(state);
+        if (penetration.needs_stiffening(contact_elements))
+          penetration.stiffen(contact_elements, state.contact.zones);
       }
     return Outcome::slow;
   }
@@ -661,7 +551,7 @@ namespace fiberloom
     std::vector<double> residuals;
     unsigned int        stiffenings = 0, since_stiffening = 0;
     const auto          stiffen = [&]() {
-      adapt_stiffness(state);
+      penetration.stiffen(contact_elements, state.contact.zones);
       ++stiffenings;
       since_stiffening = 0;
     };
@@ -679,7 +569,7 @@ namespace fiberloom
         switch (step)
           {
             case Step::converged:
-              if (!needs_stiffening())
+              if (!penetration.needs_stiffening(contact_elements))
                 return true;
               stiffen();
               break;
@@ -691,7 +581,8 @@ namespace fiberloom
               if (last_residual < std::min(stiffening_from * tolerance(),
                                            loosest_stiffening) &&
                   !system.motion().moves(state, problem.targets) &&
-                  since_stiffening >= least_between && needs_stiffening())
+                  since_stiffening >= least_between &&
+                  penetration.needs_stiffening(contact_elements))
                 stiffen();
               break;
           }

@@ -79,9 +79,10 @@ namespace fiberloom
   /**
    * The layers on the woven surface of the fibers placed at @p q . An inner
    * face has at each vertex the height of the outermost skin within half a
-   * cell around, less the overlap; outer faces are flat. Inner faces of bad
+   * cell around, less the overlap, of two layers at most 0.45 of the fabric's
+   * thickness there; outer faces are flat. Inner faces of bad
    * cells are smoothed. Throws InputError where that does not help, and where
-   * two layers meet.
+   * two layers would meet at most vertices.
    */
   LayerGeometry
   build_layers(const MatrixParameters &parameters,

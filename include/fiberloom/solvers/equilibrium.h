@@ -12,6 +12,7 @@
 
 #include <fiberloom/solvers/damping.h>
 #include <fiberloom/solvers/linear_solver.h>
+#include <fiberloom/solvers/penetration.h>
 
 #include <array>
 #include <functional>
@@ -103,7 +104,10 @@ namespace fiberloom
     }
 
     double
-    largest_penetration() const; // over the radius
+    largest_penetration() const // over the radius
+    {
+      return penetration.largest(contact_elements);
+    }
 
     /** Of the last tangent that was factorised, before it was shifted; -1 if
      * that failed. */
@@ -153,10 +157,6 @@ namespace fiberloom
                  const Eigen::VectorXd &increment,
                  const double           factor) const;
 
-    /** Whether a step has thrown fibers deep into each other. */
-    bool
-    is_lost() const;
-
     enum class Outcome
     {
       converged,
@@ -186,23 +186,6 @@ namespace fiberloom
     Outcome
     solve_nested(State &state, const Problem &problem);
 
-    /** Whether one body holds both fibers next to where they touch and the
-     * penalty is as stiff as their sections: the overlap left there is what the
-     * body asks of them. */
-    bool
-    is_imposed(const ContactElement &contact) const;
-
-    /** Largest penetration that is not imposed, over the radius. */
-    double
-    avoidable_penetration() const;
-
-    bool
-    needs_stiffening() const;
-
-    /** Of zones that are too soft; whether there were any. */
-    bool
-    adapt_stiffness(State &state) const;
-
     double
     residual_scale(const Problem &problem) const;
 
@@ -222,6 +205,7 @@ namespace fiberloom
     Watch                       watch;
     std::vector<ContactElement> contact_elements;
     Damping                     damping;
+    Penetration                 penetration;
     double                      last_factor   = 1; // of a Newton step
     double                      last_residual = 0; // before it
     double                      longest_step  = 1;
@@ -232,7 +216,6 @@ namespace fiberloom
     double prescribed_limit;
 
     double last_cut             = 1; // by the last line search
-    double deepest_penetration  = 0; // over the radius
     int    last_negative_pivots = 0;
     bool   folded               = false;
 

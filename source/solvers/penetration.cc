@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/solvers/penetration.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <array>
+
+namespace fiberloom
+{
+  namespace
+  {
+    // Beyond this multiple of the largest penetration zones are stiffened. Each
+    // time costs iterations, so all that are beyond the second one take part,
+    // and do so before an increment begins.
+    constexpr double depth_tolerance = 1.3, stiffened_from = .7;
+    constexpr double largest_stiffening = 6;
+
+    // More than in proportion: the force grows with the stiffness.
+    constexpr double stiffening = 2;
+
+    // Of a line penalty over Young's modulus: that of a fiber's own section.
+    constexpr double stiffness_of_section = dealii::numbers::PI_4;
+
+    // Fibers deeper in each other than this multiple of the largest
+    // penetration, and than twice of what they were, have been thrown there.
+    constexpr double thrown_depth = 10;
+
+    double
+    depth(const ContactElement &contact)
+    {
+      return -contact.gap / std::min(contact.radii[0], contact.radii[1]);
+    }
+  } // namespace
+
+
+
+  Penetration::Penetration(const FiberMesh         &mesh,
+                           const ContactParameters &parameters,
+                           const Motion            &motion)
+    : mesh(mesh)
+    , parameters(parameters)
+    , motion(motion)
+  {}
+
+
+
+  double
+  Penetration::largest(const std::vector<ContactElement> &contacts) const
+  {
+    double largest = 0;
+    for (const ContactElement &contact : contacts)
+      largest = std::max(largest, depth(contact));
+    return largest;
+  }
+
+
+
+  double
+  Penetration::avoidable(const std::vector<ContactElement> &contacts) const
+  {
+    double largest = 0;
+    for (const ContactElement &contact : contacts)
+      if (!is_imposed(contact))
+        largest = std::max(largest, depth(contact));
+    return largest;
+  }
+
+
+
+  void
+  Penetration::remember(const std::vector<ContactElement> &contacts)
+  {
+    deepest = std::max(thrown_depth * parameters.largest_penetration,
+                       2 * avoidable(contacts));
+  }
+
+
+
+  bool
+  Penetration::is_thrown(const std::vector<ContactElement> &contacts) const
+  {
+    return parameters.line_stiffness == 0 && avoidable(contacts) > deepest;
+  }
+
+
+
+  bool
+  Penetration::needs_stiffening(
+    const std::vector<ContactElement> &contacts) const
+  {
+    return parameters.line_stiffness == 0 &&
+           avoidable(contacts) >
+             depth_tolerance * parameters.largest_penetration;
+  }
+
+
+
+  bool
+  Penetration::stiffen(const std::vector<ContactElement> &contacts,
+                       std::vector<ContactZone>          &zones) const
+  {
+    if (parameters.line_stiffness > 0)
+      return false;
+    const double        target = parameters.largest_penetration;
+    std::vector<double> depths(zones.size(), 0.);
+    for (const ContactElement &contact : contacts)
+      if (!is_imposed(contact))
+        depths[contact.zone] = std::max(depths[contact.zone], depth(contact));
+
+    bool changed = false;
+    for (unsigned int z = 0; z < zones.size(); ++z)
+      if (depths[z] > stiffened_from * target)
+        {
+          zones[z].stiffness *=
+            std::min(stiffening * depths[z] / target, largest_stiffening);
+          changed = true;
+        }
+    return changed;
+  }
+
+
+
+  bool
+  Penetration::is_imposed(const ContactElement &contact) const
+  {
+    const auto &lines = mesh.lines();
+    if (contact.stiffness <
+        stiffness_of_section * std::min(lines[contact.fibers[0]].young_modulus,
+                                        lines[contact.fibers[1]].young_modulus))
+      return false;
+    std::array<int, 2> bodies{{-1, -1}};
+    for (unsigned int s = 0; s < 2; ++s)
+      for (unsigned int n = 0; n < 3; ++n)
+        bodies[s] =
+          std::max(bodies[s], motion.holding_body(contact.first_nodes[s] + n));
+    return bodies[0] >= 0 && bodies[0] == bodies[1];
+  }
+} // namespace fiberloom
