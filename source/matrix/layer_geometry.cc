@@ -67,8 +67,8 @@ namespace fiberloom
           "allowed: fewer Cells along x and y, or a larger Thickness");
     }
 
-    // Each of two layers leaves the other this part of the fabric where that is
-    // thin, as next to a single fiber: faces that nearly meet turn cells over.
+    // Of the fabric's thickness, what each of two layers overlaps at most: next
+    // to a single fiber they would meet.
     constexpr double largest_part = .45;
 
     /** Lets faces on the woven surface into the fabric. */
