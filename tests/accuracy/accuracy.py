@@ -9,8 +9,8 @@
 On the scenes of scenes.py each knob is turned alone, the others at their base value, some
 are turned together, and draft, standard and fine are run. For each run it prints the error
 against the reference of the scene, how far the numbers are from those with the finest value
-of the same knob, CPU seconds of the process and Newton iterations. The scene `unseen` runs the
-ten of unseen.py with an error asked for in per cent.
+of the same knob, the program's estimate, CPU seconds of the process and Newton iterations. The
+scene `unseen` runs the ten of unseen.py with an error asked for in per cent.
 
 --write puts tables into the blocks of a document that are marked for them, pictures into
 pictures/accuracy/ beside it, and what finest runs gave into references.json here. --keep takes
@@ -101,6 +101,7 @@ class Point:
         self.knob, self.value, self.rows = knob, value, rows
         self.error = error(rows, reference)
         self.seconds, self.iterations = result.cpu_seconds, result.newton_iterations
+        self.estimate = result.summary["stages"][-1]["estimated_error"]["total"]
         self.change = None
 
     def place(self):
@@ -109,6 +110,11 @@ class Point:
 
 def percent(value):
     return f"{100 * value:.2g} %" if value >= LEAST else f"< {100 * LEAST:g} %"
+
+
+def estimated(point):
+    """What the program itself says of its error, which may be nothing."""
+    return "" if point.estimate is None else percent(abs(point.estimate))
 
 
 def short(entry):
@@ -141,7 +147,8 @@ def measure(scene, run):
         result = run(scene.file, settings)
         points.append(Point(knob, value, result, scene.curve(result), reference))
         point = points[-1]
-        print(f"{knob} | {value} | {percent(point.error)} | {point.seconds:.2f} s | {point.iterations}", flush=True)
+        print(f"{knob} | {value} | {percent(point.error)} | estimated {estimated(point)} | {point.seconds:.2f} s | "
+              f"{point.iterations}", flush=True)
         return point
 
     for level in LEVELS if scene.levels is not None else ():
@@ -163,14 +170,15 @@ def table(header, rows):
 def describe(name, scene, points):
     best = set(front([point.place() for point in points]))
     rows = [[point.knob, point.value, percent(point.error), "" if point.change is None else percent(point.change),
-             f"{point.seconds:.2f}", str(point.iterations), "yes" if point.place() in best else ""] for point in points]
+             estimated(point), f"{point.seconds:.2f}", str(point.iterations), "yes" if point.place() in best else ""]
+            for point in points]
     base = ", ".join(f"{short(entry)} {value}" for entry, value in scene.base.items())
     text = f"{scene.about} Base: {base}."
     if scene.finest:
         text += " Finest: " + ", ".join(f"{short(entry)} {value}" for entry, value in scene.finest.items()) + "."
     return "\n\n".join([text, f"![Errors over CPU seconds](pictures/accuracy/{name}.svg)",
-                        table(["knob", "value", "error", "change to its finest", "CPU s", "Newton iterations", "front"],
-                              rows)])
+                        table(["knob", "value", "error", "change to its finest", "estimated", "CPU s",
+                               "Newton iterations", "front"], rows)])
 
 
 def replace_block(file, name, text):
