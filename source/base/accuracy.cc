@@ -28,8 +28,8 @@ namespace fiberloom
     // From the largest error to the smallest.
     const std::array<Row, 4> table = {{{draft, {4, 8, .02, 1, 2e-2}},
                                        {standard, {6, 16, .02, 2, 1e-2}},
-                                       {fine, {10, 32, .01, 4, 1e-3}},
-                                       {.2, {12, 48, .005, 4, 5e-4}}}};
+                                       {fine, {10, 32, .01, 4, 3e-3}},
+                                       {.2, {12, 48, .005, 4, 2e-3}}}};
 
     double
     between(const double a, const double b, const double fraction)

@@ -486,7 +486,7 @@ namespace fiberloom
                     "Residual, after contacts and normals are found anew, at "
                     "which an increment is accepted, over the largest contact "
                     "force. 0: by the accuracy, 0.02 (draft), 0.01 (standard) "
-                    "or 0.001 (fine).",
+                    "or 0.003 (fine).",
                     Allowed::from_to_below(0, 1));
       catalogue.add("Newton tolerance",
                     solver.newton_tolerance,

@@ -34,6 +34,10 @@ namespace fiberloom
     constexpr double parallel_drift = .45, crossing_drift = .6;
     constexpr double least_oblique = .25; // |cos| for that
 
+    // A closest point that is so much beyond the end of a fiber, over its
+    // radius, is at its end: a fiber that ends on another one crosses it.
+    constexpr double beyond_end = .1;
+
     // Stations over half the length on which two straight fibers overlap.
     constexpr double       stations_over_overlap = 3;
     constexpr unsigned int most_stations         = 64; // in a cell
@@ -336,8 +340,18 @@ namespace fiberloom
   {
     const ParameterPair u = mutual_closest_point(mesh, q, pair, start);
     for (unsigned int s = 0; s < 2; ++s)
-      if (u[s] <= 0 || u[s] >= mesh.lines()[pair[s]].n_elements)
-        return {};
+      {
+        const auto &line     = mesh.lines()[pair[s]];
+        const bool  at_start = u[s] <= 0;
+        if (!at_start && u[s] < line.n_elements)
+          continue;
+        const Section here = mesh.section(q, mesh.locate(pair[s], u[s])),
+                      other =
+                        mesh.section(q, mesh.locate(pair[1 - s], u[1 - s]));
+        const double along = (other.center - here.center).dot(here.tangent());
+        if ((at_start ? -along : along) > beyond_end * line.radius)
+          return {};
+      }
     return u;
   }
 

@@ -17,9 +17,10 @@ namespace fiberloom
 {
   namespace
   {
-    // Balance is not waited for in a dry fabric: the first iteration already
-    // gives a stiff response, and soft fibers take many. A matrix holds them.
-    constexpr unsigned int n_in_dry_fabric = 2, n_otherwise = 8;
+    // Balance is not waited for where fibers touch: the first iteration already
+    // gives a stiff response, and soft fibers take many, also in a matrix,
+    // which holds only the outer ones.
+    constexpr unsigned int n_in_contact = 2, n_otherwise = 8;
 
     // Columns that are smaller than this part of what is usual have no scale.
     constexpr double least_scale = 1e-3;
@@ -87,9 +88,8 @@ namespace fiberloom
         stage->rule(load)};
       equilibrium.iterate(state,
                           problem,
-                          found.contact.zones.empty() || composite ?
-                            n_otherwise :
-                            n_in_dry_fabric,
+                          found.contact.zones.empty() ? n_otherwise :
+                                                        n_in_contact,
                           generator.weaves() ? equilibrium.dampings()[0] : 0);
 
       std::vector<ContactElement> contacts =

@@ -269,4 +269,4 @@ def mesh(run):
 ROWS = {"contrast": contrast, "slenderness": slenderness, "element length": element_length, "penalty": penalty,
         "friction": friction, "angle": crossing_angle, "overlap": overlap, "place": exact_place,
         "increments": increments, "mesh": mesh}
-QUICK = ("slenderness", "overlap")
+QUICK = ("slenderness", "overlap", "place")

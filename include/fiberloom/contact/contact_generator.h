@@ -139,9 +139,9 @@ namespace fiberloom
               const bool crossing_if_new) const;
 
     /**
-     * The mutual closest point next to @p start , unless that is an end of one
-     * of the two fibers: where they part from it, a normal across both makes
-     * them closer than they are anywhere.
+     * The mutual closest point next to @p start , unless it would lie beyond an
+     * end of one of the two fibers: where they part from it, a normal across
+     * both makes them closer than they are anywhere.
      */
     std::optional<ParameterPair>
     inner_closest_point(const std::array<unsigned int, 2> &pair,
