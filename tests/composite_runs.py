@@ -105,8 +105,8 @@ def main():
                   "Matrix/Cells along y=1", "Matrix/Overlap=0.002", restart=woven)
     patch = os.path.join(SOURCE, "prm", "verification", "d1_patch.prm")
     check_refusal("no fiber in reach", ["no fiber"], "Matrix/Layers=upper", "Matrix/Size along y=0.01", scene=patch)
-    check_refusal("junctions without number", ["Matrix/Junction spacing", "larger"], "Matrix/Layers=upper",
-                  "Matrix/Junction spacing=1e-7", scene=patch)
+    check_refusal("junctions without number, before weaving", ["Matrix/Junction spacing", "larger"], *MATRIX,
+                  "Stages=weave, coat", "Matrix/Junction spacing=1e-7")
     check_refusal("no such border", ["Drive left/Matrix borders", "bottom"], "Matrix/Layers=upper",
                   "Drive left/Matrix borders=bottom", scene=patch)
     finish()

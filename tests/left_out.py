@@ -12,6 +12,7 @@ import json
 import os
 import sys
 
+from documents import block, replace_block, markdown_table
 from program_runs import SMALL_WEAVE, SOURCE, check, finish, run
 
 DOCUMENT = os.path.join(SOURCE, "doc", "performance.md")
@@ -95,30 +96,19 @@ def rows():
     check("  same iterations", silent.count("newton_iterations") == drawing.count("newton_iterations"))
 
 
-def write(table):
-    with open(DOCUMENT) as file:
-        text = file.read()
-    before, rest = text.split(BEGIN)
-    lines = "\n".join("| " + " | ".join(row) + " |" for row in [HEADER, ["---"] * len(HEADER), *table])
-    with open(DOCUMENT + ".new", "w") as file:
-        file.write(f"{before}{BEGIN}\n{lines}\n{END}{rest.split(END)[1]}")
-    os.replace(DOCUMENT + ".new", DOCUMENT)
-
-
-def check_document(table):
+def check_document(found):
     """The rows that stand there; seconds may differ."""
-    with open(DOCUMENT) as file:
-        lines = file.read().split(BEGIN)[1].split(END)[0].strip().splitlines()[2:]
+    lines = block(DOCUMENT, BEGIN, END)[1].strip().splitlines()[2:]
     written = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
     check("doc/performance.md has these scenes and what they do without",
-          [row[:3] for row in written] == [row[:3] for row in table])
+          [row[:3] for row in written] == [row[:3] for row in found])
 
 
 def main():
-    table = list(rows())
+    found = list(rows())
     if "--write" in sys.argv:
-        write(table)
-    check_document(table)
+        replace_block(DOCUMENT, markdown_table(HEADER, found), BEGIN, END)
+    check_document(found)
     finish()
 
 

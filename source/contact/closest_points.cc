@@ -15,6 +15,10 @@ namespace fiberloom
     constexpr unsigned int largest_iterations = 30;
     constexpr double       tolerance          = 1e-11; // on u
 
+    // A closest point that is so much beyond the end of a fiber, over its
+    // radius, is at its end: a fiber that ends on another one crosses it.
+    constexpr double beyond_end = .1;
+
     /**
      * Newton's method on two conditions d . a = d . b = 0 for d = c1 - c2;
      * @p axes gives a and b from the two sections.
@@ -97,6 +101,31 @@ namespace fiberloom
       mesh, q, fibers, start, [](const Section &a, const Section &b) {
         return std::make_pair(a.tangent(), b.tangent());
       });
+  }
+
+
+
+  std::optional<ParameterPair>
+  inner_closest_point(const FiberMesh                   &mesh,
+                      const DofVector                   &q,
+                      const std::array<unsigned int, 2> &fibers,
+                      const ParameterPair               &start)
+  {
+    const ParameterPair u = mutual_closest_point(mesh, q, fibers, start);
+    for (unsigned int s = 0; s < 2; ++s)
+      {
+        const auto &line     = mesh.lines()[fibers[s]];
+        const bool  at_start = u[s] <= 0;
+        if (!at_start && u[s] < line.n_elements)
+          continue;
+        const Section here = mesh.section(q, mesh.locate(fibers[s], u[s])),
+                      other =
+                        mesh.section(q, mesh.locate(fibers[1 - s], u[1 - s]));
+        const double along = (other.center - here.center).dot(here.tangent());
+        if ((at_start ? -along : along) > beyond_end * line.radius)
+          return {};
+      }
+    return u;
   }
 
 

@@ -8,6 +8,7 @@
 #include <fiberloom/contact/contact_exchange.h>
 #include <fiberloom/contact/contact_generator.h>
 #include <fiberloom/contact/contact_law.h>
+#include <fiberloom/contact/zone_class.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,27 +18,6 @@ namespace fiberloom
 {
   namespace
   {
-    // |cos| of the angle of two fibers above which a crossing zone becomes
-    // parallel, and below which a parallel one becomes crossing.
-    constexpr double parallel_above = .95, crossing_below = .85;
-
-    // Fibers that lie along each other at an angle, as in a strand, are close
-    // for longer than straight ones that cross: parallel beyond the second
-    // multiple of that length, crossing below the first one.
-    constexpr double crossing_length = 1.5, parallel_length = 2;
-
-    // So are fibers that are bent around each other where they cross: parallel
-    // if below the first part of what straight ones drift apart is left,
-    // crossing above the second one. A mutual closest point then slides far as
-    // fibers move by little; where nothing is left, they touch on both sides
-    // of it. Near a right angle neither fiber lies along the other.
-    constexpr double parallel_drift = .45, crossing_drift = .6;
-    constexpr double least_oblique = .25; // |cos| for that
-
-    // A closest point that is so much beyond the end of a fiber, over its
-    // radius, is at its end: a fiber that ends on another one crosses it.
-    constexpr double beyond_end = .1;
-
     // Stations over half the length on which two straight fibers overlap.
     constexpr double       stations_over_overlap = 3;
     constexpr unsigned int most_stations         = 64; // in a cell
@@ -285,33 +265,12 @@ namespace fiberloom
         if (rule.from_above && order != 0)
           continue;
 
-        const ParameterPair u = proximity.closest().u;
-        const Vector3       t1 =
-          mesh.section(q, mesh.locate(pair[0], u[0])).tangent();
-        const Vector3 t2 =
-          mesh.section(q, mesh.locate(pair[1], u[1])).tangent();
-        const double cosine  = std::abs(t1.dot(t2));
-        const auto   closest = cosine < parallel_above ?
-                                 inner_closest_point(pair, u, q) :
-                                 std::nullopt;
-        const double length  = length_over_crossing(proximity, cosine);
-        const double drift = cosine > least_oblique && cosine < parallel_above ?
-                               drift_over_crossing(pair, u, q) :
-                               1;
-
-        ContactZone zone =
-          successor(pair,
-                    {{proximity.range(0), proximity.range(1)}},
-                    before,
-                    closest &&
-                      cosine < .5 * (parallel_above + crossing_below) &&
-                      length < .5 * (parallel_length + crossing_length) &&
-                      drift > .5 * (parallel_drift + crossing_drift));
-        if (!closest || length > parallel_length || drift < parallel_drift)
-          zone.crossing = false;
-        else if (cosine < crossing_below && length < crossing_length &&
-                 drift > crossing_drift)
-          zone.crossing = true;
+        const ZoneClass kind(mesh, q, proximity, margin);
+        ContactZone     zone = successor(pair,
+                                     {{proximity.range(0), proximity.range(1)}},
+                                     before,
+                                     kind.crosses());
+        zone.crossing        = kind.crosses_still(zone.crossing);
         state.zones.push_back(zone);
         const unsigned int index = state.zones.size() - 1;
 
@@ -321,84 +280,14 @@ namespace fiberloom
             continue;
           }
 
-        contacts.push_back(new_element(index, *closest, state));
+        contacts.push_back(new_element(index, *kind.closest, state));
         if (zone.side == 0)
           {
             const SectionPair x = section_pair(contacts.back(), q);
             state.zones[index].side =
-              sign(t1.cross(t2).dot(x.head<3>() - x.segment<3>(9)));
+              sign(kind.t1.cross(kind.t2).dot(x.head<3>() - x.segment<3>(9)));
           }
       }
-  }
-
-
-
-  std::optional<ParameterPair>
-  ContactGenerator::inner_closest_point(const std::array<unsigned int, 2> &pair,
-                                        const ParameterPair &start,
-                                        const DofVector     &q) const
-  {
-    const ParameterPair u = mutual_closest_point(mesh, q, pair, start);
-    for (unsigned int s = 0; s < 2; ++s)
-      {
-        const auto &line     = mesh.lines()[pair[s]];
-        const bool  at_start = u[s] <= 0;
-        if (!at_start && u[s] < line.n_elements)
-          continue;
-        const Section here = mesh.section(q, mesh.locate(pair[s], u[s])),
-                      other =
-                        mesh.section(q, mesh.locate(pair[1 - s], u[1 - s]));
-        const double along = (other.center - here.center).dot(here.tangent());
-        if ((at_start ? -along : along) > beyond_end * line.radius)
-          return {};
-      }
-    return u;
-  }
-
-
-
-  double
-  ContactGenerator::length_over_crossing(const ProximityZone &zone,
-                                         const double         cosine) const
-  {
-    const auto &first  = mesh.lines()[zone.fibers[0]],
-               &second = mesh.lines()[zone.fibers[1]];
-    const auto   range = zone.range(0);
-    const double piece = first.length / first.n_elements;
-    // Straight fibers at the angle a drift apart by 2 tan(a/2) per length.
-    const double crossing =
-      crossing_spread(cosine, {{first.radius, second.radius}}) *
-      std::sqrt(parameters.search_margin * mesh.largest_radius());
-    return (range[1] - range[0]) * piece / (crossing + piece);
-  }
-
-
-
-  double
-  ContactGenerator::drift_over_crossing(const std::array<unsigned int, 2> &pair,
-                                        const ParameterPair               &u,
-                                        const DofVector &q) const
-  {
-    constexpr double half_piece = .25;
-    const auto       section    = [&](const unsigned int s, const double step) {
-      const double end = mesh.lines()[pair[s]].n_elements;
-      return mesh.section(q,
-                          mesh.locate(pair[s],
-                                      std::clamp(u[s] + step, 0., end)));
-    };
-    const Section first = section(0, 0), second = section(1, 0);
-    const double straight = 1 - std::abs(first.tangent().dot(second.tangent()));
-    double       bent     = 0;
-    for (unsigned int s = 0; s < 2; ++s)
-      {
-        const Section before = section(s, -half_piece),
-                      after  = section(s, half_piece);
-        const Vector3 other  = s == 0 ? Vector3(second.center - first.center) :
-                                        Vector3(first.center - second.center);
-        bent += .5 * (after.tangent() - before.tangent()).dot(other) /
-                (after.center - before.center).norm();
-      }
-    return 1 - bent / std::max(straight, 1e-15);
   }
 
 
@@ -548,7 +437,7 @@ namespace fiberloom
     if (contacts.size() > before)
       return;
     if (const auto closest =
-          inner_closest_point(pair, proximity.closest().u, q))
+          inner_closest_point(mesh, q, pair, proximity.closest().u))
       {
         contacts.push_back(new_element(zone, *closest, state));
         const auto &line       = mesh.lines()[pair[0]];

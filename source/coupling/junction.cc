@@ -7,11 +7,8 @@
 
 #include <fiberloom/coupling/junction.h>
 
-#include <boost/format.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace fiberloom
 {
@@ -112,20 +109,6 @@ namespace fiberloom
       std::vector<double>                heights;
     };
 
-    /** Before any is made. */
-    void
-    check_number(const FiberMesh &fibers, const double spacing)
-    {
-      double n = 0;
-      for (const auto &line : fibers.lines())
-        n += line.length / spacing;
-      if (n > Parameters::most_nodes)
-        throw InputError(
-          "Matrix/Junction spacing: there would be " +
-          (boost::format("%.3g") % n).str() + " junctions; allowed: at most " +
-          std::to_string(Parameters::most_nodes) + ", by a larger spacing");
-    }
-
     template <class Visit>
     void
     visit_stations(const FiberMesh &fibers,
@@ -151,12 +134,11 @@ namespace fiberloom
                  const MatrixMesh       &matrix,
                  const DofVector        &q)
   {
-    const double per_length = parameters.junction_stiffness > 0 ?
-                                parameters.junction_stiffness :
-                                shear_lag_stiffness(parameters.young_modulus,
+    const double   per_length = parameters.junction_stiffness > 0 ?
+                                  parameters.junction_stiffness :
+                                  shear_lag_stiffness(parameters.young_modulus,
                                                     parameters.poisson_ratio,
                                                     parameters.junction_reach);
-    check_number(fibers, parameters.junction_spacing);
     FoundJunctions found;
     const auto     join = [&](const ElementPoint          &point,
                           const std::array<double, 2> &particle,

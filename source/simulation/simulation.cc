@@ -154,6 +154,7 @@ namespace fiberloom
   int
   Simulation::run()
   {
+    check_junctions(parameters, mesh);
     State state = initial_state();
     // Where coating comes first, what is wrong with it shows at once.
     std::vector<std::string> notes;

@@ -7,6 +7,8 @@
 
 #include <fiberloom/stages/coat.h>
 
+#include <boost/format.hpp>
+
 #include <algorithm>
 
 namespace fiberloom
@@ -113,6 +115,22 @@ namespace fiberloom
            " particles of the surface lie outside every cell and have none, "
            "one of them at " +
            exact_text(std::vector<double>{place.x(), place.y(), place.z()});
+  }
+
+
+
+  void
+  check_junctions(const Parameters &parameters, const FiberMesh &mesh)
+  {
+    double n = 0;
+    for (const auto &line : mesh.lines())
+      n += line.length / parameters.matrix.junction_spacing;
+    if (parameters.has_matrix() && n > Parameters::most_nodes)
+      throw InputError(parameters.where("Matrix/Junction spacing") +
+                       ": up to " + (boost::format("%.3g") % n).str() +
+                       " junctions; allowed: at most " +
+                       std::to_string(Parameters::most_nodes) +
+                       ", by a larger spacing");
   }
 
 

@@ -28,9 +28,10 @@ import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [HERE, os.path.join(HERE, "..", "verification")]
+sys.path[:0] = [HERE, os.path.join(HERE, ".."), os.path.join(HERE, "..", "verification")]
 
 import unseen
+from documents import markdown_table, replace_block
 from plot import front, picture
 from scenes import LEVELS, SCENES, SHORT, error
 from verify import Result, cpu_of_children
@@ -163,10 +164,6 @@ def measure(scene, run):
     return reference, points
 
 
-def table(header, rows):
-    return "\n".join("| " + " | ".join(row) + " |" for row in [header, ["---"] * len(header)] + rows)
-
-
 def describe(name, scene, points):
     best = set(front([point.place() for point in points]))
     rows = [[point.knob, point.value, percent(point.error), "" if point.change is None else percent(point.change),
@@ -177,20 +174,12 @@ def describe(name, scene, points):
     if scene.finest:
         text += " Finest: " + ", ".join(f"{short(entry)} {value}" for entry, value in scene.finest.items()) + "."
     return "\n\n".join([text, f"![Errors over CPU seconds](pictures/accuracy/{name}.svg)",
-                        table(["knob", "value", "error", "change to its finest", "estimated", "CPU s",
+                        markdown_table(["knob", "value", "error", "change to its finest", "estimated", "CPU s",
                                "Newton iterations", "front"], rows)])
 
 
-def replace_block(file, name, text):
-    with open(file) as document:
-        old = document.read()
-    begin, end = f"<!-- {name}: by ./loom accuracy -->", f"<!-- end of {name} -->"
-    if begin not in old or end not in old:
-        sys.exit(f"{file} has no lines {begin} and {end}")
-    new = old.split(begin)[0] + begin + "\n\n" + text + "\n\n" + end + old.split(end, 1)[1]
-    with open(file + ".new", "w") as document:
-        document.write(new)
-    os.replace(file + ".new", file)
+def write_block(file, name, text):
+    replace_block(file, text, f"<!-- {name}: by ./loom accuracy -->", f"<!-- end of {name} -->")
 
 
 def read_references():
@@ -217,7 +206,7 @@ def study(name, run, document):
         return
     if scene.finest:
         write_reference(name, scene, reference)
-    replace_block(document, name, describe(name, scene, points))
+    write_block(document, name, describe(name, scene, points))
     series = {}
     for point in points:
         series.setdefault(point.knob, []).append(point.place())
@@ -234,7 +223,7 @@ def study(name, run, document):
                 if re.match(r"\| (%s) \|" % "|".join(set(SCENES) - {name}), line)]
     rows = [line.strip("| ").split(" | ") for line in rows] + levels
     rows.sort(key=lambda row: list(SCENES).index(row[0]))
-    replace_block(document, "levels", table(["scene", "draft (10 %)", "standard (2 %)", "fine (0.5 %)"], rows))
+    write_block(document, "levels", markdown_table(["scene", "draft (10 %)", "standard (2 %)", "fine (0.5 %)"], rows))
 
 
 def hold_levels(names, run):
@@ -278,9 +267,9 @@ def main():
     for name in names:
         print(f"== {name}", flush=True)
         if name == "unseen":
-            text = unseen.judge(run, percent, table)
+            text = unseen.judge(run, percent)
             if arguments.write:
-                replace_block(arguments.write, "unseen", text)
+                write_block(arguments.write, "unseen", text)
         else:
             study(name, run, arguments.write)
 

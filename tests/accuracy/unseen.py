@@ -3,6 +3,7 @@
 
 """Scenes by which no setting was chosen, run with an error asked for in per cent."""
 
+from documents import markdown_table
 from scenes import CONTACT, ELEMENTS, PENETRATION, STATIONS, error
 
 ASKED = (10, 2, .5)
@@ -33,7 +34,7 @@ def found_error(run, name, result):
     return error(curve(result, columns), curve(run(f"verification/{name}", FINEST), columns))
 
 
-def judge(run, percent, table):
+def judge(run, percent):
     rows, met = [], {asked: 0 for asked in ASKED}
     for name, columns in SCENES.items():
         cells = [name, ", ".join(columns)]
@@ -46,4 +47,4 @@ def judge(run, percent, table):
         rows.append(cells)
     rows.append(["met", ""] + [f"{met[asked]} of {len(SCENES)}" for asked in ASKED])
     print(" | ".join(rows[-1]), flush=True)
-    return table(["scene", "numbers"] + [f"asked {asked:g} %" for asked in ASKED], rows)
+    return markdown_table(["scene", "numbers"] + [f"asked {asked:g} %" for asked in ASKED], rows)

@@ -24,10 +24,11 @@ import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [HERE, os.path.join(HERE, "..", "verification"), os.path.join(HERE, "..", "accuracy")]
+sys.path[:0] = [HERE] + [os.path.join(HERE, "..", *folder) for folder in ((), ("verification",), ("accuracy",))]
 
 import random_weaves
 import rows
+from documents import markdown_table, replace_block
 from plot import picture
 from verify import RunFailed, Runner
 
@@ -89,14 +90,9 @@ def seconds_of_mechanics(result):
                for part in ("detection", "assembly", "linear_solver"))
 
 
-def write(file, table, messages, falling):
-    with open(file) as document:
-        text = document.read()
-    if MARK not in text:
-        sys.exit(f"{file} has no line {MARK}")
-    lines = "\n".join("| " + " | ".join(line) + " |" for line in [HEADER, ["---"] * len(HEADER)] + table)
+def write(file, lines, messages, falling):
     about = "\n".join(f"- **{row}**: {' '.join(rows.ROWS[row].__doc__.split())}"
-                      for row in dict.fromkeys(line[0] for line in table))
+                      for row in dict.fromkeys(line[0] for line in lines))
     pictures = os.path.join(os.path.dirname(os.path.abspath(file)), "pictures", "extremes")
     os.makedirs(pictures, exist_ok=True)
     for row, series in falling.items():
@@ -104,10 +100,9 @@ def write(file, table, messages, falling):
             drawing.write(picture(row, series, "seconds of detection, assembly and linear solver",
                                   comparable=False))
         about += f"\n\n![{row}: errors over seconds](pictures/extremes/{row}.svg)"
-    said = "".join(f"- {message}\n" for message in messages) or "None failed.\n"
-    with open(file + ".new", "w") as document:
-        document.write(f"{text.split(MARK)[0]}{MARK}\n\n{about}\n\n{lines}\n\n## What those that failed said\n\n{said}")
-    os.replace(file + ".new", file)
+    said = "\n".join(f"- {message}" for message in messages) or "None failed."
+    replace_block(file, f"{about}\n\n{markdown_table(HEADER, lines)}\n\n## What those that failed said\n\n{said}", MARK)
+
 
 
 def main():

@@ -20,8 +20,9 @@ import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(HERE, "..", "verification"))
+sys.path[:0] = [os.path.join(HERE, ".."), os.path.join(HERE, "..", "verification")]
 
+from documents import block, replace_block, markdown_table
 from verify import Runner, cpu_of_children
 
 DOCUMENT = os.path.join(HERE, "..", "..", "doc", "performance.md")
@@ -65,16 +66,19 @@ def measure(arguments):
 
 def recorded(document):
     """Ranges of the document's table by scene."""
-    with open(document) as file:
-        text = file.read()
-    if BEGIN not in text or END not in text:
-        sys.exit(f"{document} has no lines {BEGIN} and {END}")
     ranges = {}
-    for line in text.split(BEGIN)[1].split(END)[0].splitlines():
+    for line in block(document, BEGIN, END)[1].splitlines():
         match = re.match(r"\| ([^|]+) \| \d+ \| [\d.]+ \(([\d.]+) to ([\d.]+)\)", line)
         if match:
             ranges[match[1]] = float(match[2]), float(match[3])
     return ranges
+
+
+def verdict(least, most, then):
+    if not then:
+        return "not recorded"
+    compared = "slower" if least > then[1] else "faster" if most < then[0] else "as fast"
+    return f"recorded {then[0]:.2f} to {then[1]:.2f}: {compared}"
 
 
 def main():
@@ -94,17 +98,9 @@ def main():
         least, most = min(costs[0] for costs in rounds), max(costs[0] for costs in rounds)
         rows.append([name, str(iterations), f"{middle[0]:.2f} ({least:.2f} to {most:.2f})"] +
                     [f"{part:.2f}" for part in middle[1:]])
-        then = before.get(name)
-        verdict = "not recorded" if not then else "slower" if least > then[1] else "faster" if most < then[0] else "as fast"
-        print(" | ".join(rows[-1] + [f"recorded {then[0]:.2f} to {then[1]:.2f}: {verdict}" if then else verdict]),
-              flush=True)
+        print(" | ".join(rows[-1] + [verdict(least, most, before.get(name))]), flush=True)
     if arguments.write:
-        table = "\n".join("| " + " | ".join(row) + " |" for row in [HEADER, ["---"] * len(HEADER)] + rows)
-        with open(document) as file:
-            text = file.read()
-        with open(document + ".new", "w") as file:
-            file.write(text.split(BEGIN)[0] + BEGIN + "\n\n" + table + "\n\n" + END + text.split(END, 1)[1])
-        os.replace(document + ".new", document)
+        replace_block(document, markdown_table(HEADER, rows), BEGIN, END)
 
 
 if __name__ == "__main__":

@@ -30,7 +30,9 @@ import traceback
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SCENES = os.path.join(HERE, "..", "..", "prm", "verification")
-sys.path.insert(0, HERE)
+sys.path[:0] = [HERE, os.path.join(HERE, "..")]
+
+from documents import markdown_table, replace_block
 
 HEADER = ["case", "quantity", "reference", "computed", "error", "tolerance", "seconds", "verdict"]
 LIMIT = 900  # seconds of a run
@@ -163,16 +165,8 @@ def describe(name, directory):
 
 
 def write_table(file, rows):
-    with open(file) as document:
-        text = document.read()
-    if MARK not in text:
-        sys.exit(f"{file} has no line {MARK}")
-    lines = [HEADER, ["---"] * len(HEADER)] + rows
-    table = "\n".join("| " + " | ".join(row) + " |" for row in lines)
     cases = "\n\n".join(describe(name, os.path.dirname(file)) for name in dict.fromkeys(row[0] for row in rows))
-    with open(file + ".new", "w") as document:
-        document.write(text.split(MARK)[0] + MARK + "\n\n" + table + "\n\n## The cases\n\n" + cases + "\n")
-    os.replace(file + ".new", file)
+    replace_block(file, f"{markdown_table(HEADER, rows)}\n\n## The cases\n\n{cases}", MARK)
 
 
 def main():

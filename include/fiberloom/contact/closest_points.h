@@ -38,6 +38,17 @@ namespace fiberloom
                        const std::array<unsigned int, 2> &fibers,
                        const ParameterPair               &start);
 
+  /**
+   * The same, none where it would lie beyond an end of one of the two fibers:
+   * where they part from it, a normal across both makes them closer than they
+   * are anywhere.
+   */
+  std::optional<ParameterPair>
+  inner_closest_point(const FiberMesh                   &mesh,
+                      const DofVector                   &q,
+                      const std::array<unsigned int, 2> &fibers,
+                      const ParameterPair               &start);
+
   /** Where two fibers cross as seen from above, from @p start . */
   ParameterPair
   plan_crossing(const FiberMesh                   &mesh,

@@ -138,34 +138,6 @@ namespace fiberloom
               const ContactState                         &before,
               const bool crossing_if_new) const;
 
-    /**
-     * The mutual closest point next to @p start , unless it would lie beyond an
-     * end of one of the two fibers: where they part from it, a normal across
-     * both makes them closer than they are anywhere.
-     */
-    std::optional<ParameterPair>
-    inner_closest_point(const std::array<unsigned int, 2> &pair,
-                        const ParameterPair               &start,
-                        const DofVector                   &q) const;
-
-    /**
-     * Length of @p zone over that of two straight fibers that touch at the
-     * angle of @p cosine .
-     */
-    double
-    length_over_crossing(const ProximityZone &zone, const double cosine) const;
-
-    /**
-     * How fast two fibers at @p u drift apart along the intermediate geometry,
-     * over what straight ones at their angle do. At the distance s along both
-     * they are ((1 - c) - (k1 + k2) D/2) s^2/D further apart, with the cosine c
-     * of the angle, the distance D and the curvatures k towards each other.
-     */
-    double
-    drift_over_crossing(const std::array<unsigned int, 2> &pair,
-                        const ParameterPair               &u,
-                        const DofVector                   &q) const;
-
     /** Where the plane across the intermediate geometry at @p u of the first
      * fiber cuts the second one. */
     std::optional<double>

@@ -134,8 +134,7 @@ namespace fiberloom
    * Junctions of the fibers placed at @p q with a matrix at rest, at even
    * distances along each fiber. Filled, all centres of fibers have one. Layers
    * meet the outermost particle of a section's skin; it should be in a layer if
-   * it is no deeper below the skins around it than the overlap. Throws
-   * InputError where they would be too many.
+   * it is no deeper below the skins around it than the overlap.
    */
   FoundJunctions
   find_junctions(const MatrixParameters &parameters,

@@ -39,6 +39,11 @@ namespace fiberloom
   std::string
   add_matrix(const Parameters &parameters, const FiberMesh &mesh, State &state);
 
+  /** Throws InputError when @p parameters ask for too many junctions along the
+   * fibers, before any work. */
+  void
+  check_junctions(const Parameters &parameters, const FiberMesh &mesh);
+
   /** Throws InputError when the matrix of a restart file is another one than
    * @p parameters describe. */
   void
