@@ -126,11 +126,10 @@ namespace fiberloom
     for (const auto &line : mesh.lines())
       n += line.length / parameters.matrix.junction_spacing;
     if (parameters.has_matrix() && n > Parameters::most_nodes)
-      throw InputError(parameters.where("Matrix/Junction spacing") +
-                       ": up to " + (boost::format("%.3g") % n).str() +
-                       " junctions; allowed: at most " +
-                       std::to_string(Parameters::most_nodes) +
-                       ", by a larger spacing");
+      throw InputError(
+        parameters.where("Matrix/Junction spacing") + ": up to " +
+        (boost::format("%.3g") % n).str() + " junctions; allowed: at most " +
+        std::to_string(Parameters::most_nodes) + ", by a larger spacing");
   }
 
 
