@@ -12,7 +12,7 @@ import json
 import os
 import sys
 
-from documents import block, replace_block, markdown_table
+from documents import block, markdown_table, replace_block
 from program_runs import SMALL_WEAVE, SOURCE, check, finish, run
 
 DOCUMENT = os.path.join(SOURCE, "doc", "performance.md")

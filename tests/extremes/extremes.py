@@ -104,7 +104,6 @@ def write(file, lines, messages, falling):
     replace_block(file, f"{about}\n\n{markdown_table(HEADER, lines)}\n\n## What those that failed said\n\n{said}", MARK)
 
 
-
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")

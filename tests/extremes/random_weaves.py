@@ -26,7 +26,7 @@ def settings(seed, number):
     tows = {family: draw.randint(2, 4) for family in ("Warp", "Fill")}
     rows = ["".join(draw.choice("01") for _ in range(tows["Warp"])) for _ in range(tows["Fill"])]
     found = ["Stages=weave, relax", "Fabric/Pattern=" + " ".join(rows), "Fabric/Fill/Same as warp=false",
-             "Accuracy=draft", "Solver/Contact tolerance=0.05"]
+             "Accuracy=draft"]
     for family, n in tows.items():
         fibers = draw.choice((1, 2, 3, 4, 5, 7))
         radius = round(draw.uniform(.004, .012), 5)

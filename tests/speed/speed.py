@@ -22,7 +22,7 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, ".."), os.path.join(HERE, "..", "verification")]
 
-from documents import block, replace_block, markdown_table
+from documents import block, markdown_table, replace_block
 from verify import Runner, cpu_of_children
 
 DOCUMENT = os.path.join(HERE, "..", "..", "doc", "performance.md")
