@@ -77,7 +77,7 @@ namespace
   }
 
   /**
-   * Cells of parallel fibers keep their number of stations until seven tenths
+   * Cells of parallel fibers keep their number of stations until a quarter
    * of the overlap would do with fewer; without that, stations come and go,
    * with force on them, as an angle hardly moves.
    */
@@ -99,7 +99,7 @@ namespace
     checks.above("stations in a cell at an angle", most, 1.5);
 
     double without = 0, with = 0, angle = first;
-    for (; with == 0 && angle > .05; angle /= 1.01)
+    for (; with == 0 && angle > .01; angle /= 1.01)
       {
         if (without == 0 && count_at(angle, false) < most)
           without = angle;
@@ -107,7 +107,7 @@ namespace
           with = angle;
       }
     checks.below("angle at which stations go, over that without history",
-                 std::abs(with / without - .7),
+                 std::abs(with / without - .25),
                  .02);
     checks.equal("stations between, on the way back",
                  count_at(.5 * (with + without), true),

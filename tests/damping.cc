@@ -58,6 +58,11 @@ namespace
     checks.equal("thrown", found[8], 1);
     checks.equal("creep for seven iterations then", found[16], 1);
     checks.equal("for eight", found[17], .5);
+
+    damping.reset(least);
+    damping.follow_reactions({BodyVector::Ones()}, true, .1);
+    checks.that("none lost where forces are balanced already",
+                parts(damping, std::vector<double>(20, .05)).back() == 1);
   }
 
   void
@@ -88,6 +93,15 @@ namespace
                  1);
 
     damping.reset(least);
+    rests(1, false);
+    for (const double factor : {1.02, 1.018, 1.015, 1.013, 1.011})
+      rests(factor);
+    checks.equal("nor where they decay fast enough",
+                 parts(damping, residuals)[1],
+                 1);
+
+    damping.reset(least);
+    rests(1, false);
     for (unsigned int i = 0; i < 4; ++i)
       rests(1.02);
     const auto found = parts(damping, residuals);

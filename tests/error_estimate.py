@@ -43,7 +43,9 @@ CASES = [
     ("weave_8_elements", WEAVE, ["Fibers/Elements per fiber=8"], "total", FINE_WEAVE),
     ("fabric", SMALL_WEAVE, FABRIC, "mesh", ["Fabric/Warp/Elements per fiber=36", "Contact/Stations per element=0.34"]),
     ("fabric", SMALL_WEAVE, FABRIC, "stations", ["Contact/Stations per element=4"]),
-    ("fabric", SMALL_WEAVE, FABRIC, "penetration", ["Contact/Largest penetration=0.004"]),
+    # not at 2 %, where what penetration makes of the woven shape, which the estimate cannot see, is as large
+    ("fabric_6_percent", SMALL_WEAVE, FABRIC + ["Contact/Largest penetration=0.06"], "penetration",
+     ["Contact/Largest penetration=0.004"]),
     ("fabric", SMALL_WEAVE, FABRIC, "total", ["Fabric/Warp/Elements per fiber=36", "Contact/Stations per element=1.4",
                                               "Contact/Largest penetration=0.004"]),
     ("filled", SMALL_WEAVE, FILLED, "matrix", ["Matrix/Cells along x=16", "Matrix/Cells along y=16",

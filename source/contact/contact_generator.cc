@@ -24,7 +24,7 @@ namespace fiberloom
 
     // A cell gets fewer stations when they would do for this part of the
     // overlap.
-    constexpr double coarsened_below = .7;
+    constexpr double coarsened_below = .25;
 
     std::vector<std::array<unsigned int, 2>>
     find_woven_pairs(const FiberSet &set)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace fiberloom
@@ -39,12 +40,13 @@ namespace fiberloom
 
     // What a damped step of a pull may still change of the forces, over the
     // largest one, and over the tolerance that step or a whole cycle: soft
-    // fibers give up theirs long after residuals are small. So many steps in a
-    // row that change more than this multiple tell of a motion that many fibers
+    // fibers give up theirs long after residuals are small. After so many steps
+    // in a row that change more than this multiple, their decay tells how many
+    // more it takes; more than the last number are a motion that many fibers
     // share.
     constexpr double       largest_drift = .005, drift_over_tolerance = .5;
     constexpr double       slow_drift = 2;
-    constexpr unsigned int slow_steps = 4;
+    constexpr unsigned int slow_steps = 4, most_steps = 30;
 
     // Iterations that tell creep; each throw asks for twice as many.
     constexpr unsigned int first_patience = 4;
@@ -73,8 +75,8 @@ namespace fiberloom
   Damping::reset(const double least)
   {
     this->least = value = least;
-    quiet = cycles = cycle_ended = false;
-    patience                     = first_patience;
+    quiet = balanced = cycles = cycle_ended = false;
+    patience                                = first_patience;
     position = n_waits = n_slow = 0;
     of_lines.clear();
     last_step.resize(0);
@@ -123,8 +125,9 @@ namespace fiberloom
         return;
       }
     const bool was_quiet = quiet;
-    quiet                = creeps(residuals, patience) ||
-            (quiet && residuals.back() < thrown * residuals.end()[-2]);
+    quiet =
+      !balanced && (creeps(residuals, patience) ||
+                    (quiet && residuals.back() < thrown * residuals.end()[-2]));
     if (was_quiet && !quiet)
       patience *= 2;
     value = quiet ? std::max(value * decay, quiet_part * least) :
@@ -138,6 +141,7 @@ namespace fiberloom
                             const bool                     balanced,
                             const double                   tolerance)
   {
+    this->balanced = balanced;
     if (cycles && (!cycle_ended || (!balanced && n_waits++ < most_waits)))
       return false;
     position = n_waits   = 0;
@@ -145,7 +149,12 @@ namespace fiberloom
                  drift   = change(reactions) /
                          (cycles ? allowed : std::min(largest_drift, allowed));
     n_slow = balanced && drift > slow_drift && !quiet ? n_slow + 1 : 0;
-    cycles = cycles || n_slow == slow_steps;
+    if (n_slow == 1)
+      first_drift = drift;
+    // what the steps so far have decayed by, to the power of those to come
+    if (!cycles && n_slow >= slow_steps)
+      cycles = std::log(drift) * (n_slow - 1) >
+               most_steps * std::log(first_drift / drift);
     return balanced && drift < 1;
   }
 

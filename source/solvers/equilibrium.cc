@@ -54,12 +54,14 @@ namespace fiberloom
     constexpr double       shift_over_Er = 1e-4, shift_over_damping = 8;
     constexpr unsigned int largest_halvings = 8;
 
-    // Contacts that open and close by turns bring the same residuals back.
+    // Contacts that open and close by turns bring the same residuals back, or
+    // throw them up again and again.
     bool
     goes_round(const std::vector<double> &residuals)
     {
-      constexpr unsigned int longest_period = 8;
-      const unsigned int     n              = residuals.size();
+      constexpr unsigned int longest_period = 8, window = 12, most_rises = 2;
+      constexpr double       rise = 1.5;
+      const unsigned int     n    = residuals.size();
       const auto same = [&](const unsigned int i, const unsigned int j) {
         return std::abs(residuals[n - i] / residuals[n - j] - 1) < .005;
       };
@@ -67,7 +69,10 @@ namespace fiberloom
         if (n >= period + 2 && same(1, 1 + period) && same(2, 2 + period) &&
             !same(1, 2))
           return true;
-      return false;
+      unsigned int rises = 0;
+      for (unsigned int i = n > window ? n - window : 1; i < n; ++i)
+        rises += residuals[i] > rise * residuals[i - 1];
+      return rises > most_rises;
     }
   } // namespace
 

@@ -15,7 +15,10 @@ scene `unseen` runs the ten of unseen.py with an error asked for in per cent.
 --write puts tables into the blocks of a document that are marked for them, pictures into
 pictures/accuracy/ beside it, and what finest runs gave into references.json here. --keep takes
 runs from the work directory that were made by the same version with the same values in force.
---levels only holds the levels to their errors by references.json; status 1 if one falls short.
+Where a scene names settings that should not matter, its reference and what is said of its levels are
+means over these; the table of levels has the worst of them.
+--levels only holds the levels to their errors by references.json, with the first of such settings;
+status 1 if one falls short.
 """
 
 import argparse
@@ -33,7 +36,7 @@ sys.path[:0] = [HERE, os.path.join(HERE, ".."), os.path.join(HERE, "..", "verifi
 import unseen
 from documents import markdown_table, replace_block
 from plot import front, picture
-from scenes import LEVELS, SCENES, SHORT, error
+from scenes import LEVELS, SCENES, SHORT, error, mean
 from verify import Result, cpu_of_children
 
 PRM = os.path.join(HERE, "..", "..", "prm")
@@ -96,13 +99,17 @@ class Runs:
 
 
 class Point:
-    """One run of the study."""
+    """One run of the study, or what several are in the mean."""
 
-    def __init__(self, knob, value, result, rows, reference):
-        self.knob, self.value, self.rows = knob, value, rows
-        self.error = error(rows, reference)
-        self.seconds, self.iterations = result.cpu_seconds, result.newton_iterations
-        self.estimate = result.summary["stages"][-1]["estimated_error"]["total"]
+    def __init__(self, knob, value, results, curve, reference):
+        self.knob, self.value = knob, value
+        self.rows = mean([curve(result) for result in results])
+        self.error = error(self.rows, reference)
+        self.worst = max(error(curve(result), reference) for result in results)
+        self.seconds = sum(result.cpu_seconds for result in results) / len(results)
+        self.iterations = round(sum(result.newton_iterations for result in results) / len(results))
+        estimates = [result.summary["stages"][-1]["estimated_error"]["total"] for result in results]
+        self.estimate = None if None in estimates else sum(map(abs, estimates)) / len(estimates)
         self.change = None
 
     def place(self):
@@ -115,11 +122,15 @@ def percent(value):
 
 def estimated(point):
     """What the program itself says of its error, which may be nothing."""
-    return "" if point.estimate is None else percent(abs(point.estimate))
+    return "" if point.estimate is None else percent(point.estimate)
 
 
 def short(entry):
     return SHORT.get(entry, entry.split("/")[-1])
+
+
+def described(settings):
+    return ", ".join(f"{short(entry)} {value}" for entry, value in settings.items())
 
 
 def assignments(settings):
@@ -127,8 +138,8 @@ def assignments(settings):
     return [f"{name}={value}" for entry, value in settings.items() for name in entry.split(" and ")]
 
 
-def level_settings(scene, level):
-    return [f"Accuracy={level}"] + list(scene.levels)
+def level_settings(scene, level, repeat):
+    return [f"Accuracy={level}", *scene.levels, *assignments(repeat)]
 
 
 def combinations(grid):
@@ -142,25 +153,27 @@ def combinations(grid):
 def measure(scene, run):
     """Reference and all points of a scene."""
     points = []
-    reference = scene.exact or scene.curve(run(scene.file, {**scene.base, **scene.finest}))
+    reference = scene.exact or mean([scene.curve(run(scene.file, {**scene.base, **scene.finest, **repeat}))
+                                     for repeat in scene.repeats])
 
-    def add(knob, value, settings):
-        result = run(scene.file, settings)
-        points.append(Point(knob, value, result, scene.curve(result), reference))
+    def add(knob, value, *results):
+        points.append(Point(knob, value, results, scene.curve, reference))
         point = points[-1]
         print(f"{knob} | {value} | {percent(point.error)} | estimated {estimated(point)} | {point.seconds:.2f} s | "
               f"{point.iterations}", flush=True)
         return point
 
     for level in LEVELS if scene.levels is not None else ():
-        add("levels", level, level_settings(scene, level))
+        results = [run(scene.file, level_settings(scene, level, repeat)) for repeat in scene.repeats]
+        add("levels", level, *results)
+        for repeat, result in zip(scene.repeats, results) if len(results) > 1 else ():
+            add("one of them", f"{level}, {described(repeat)}", result)
     for entry, values in scene.knobs.items():
-        line = [add(short(entry), f"{value}", {**scene.base, entry: value}) for value in values]
+        line = [add(short(entry), f"{value}", run(scene.file, {**scene.base, entry: value})) for value in values]
         for point in line:
             point.change = error(point.rows, line[-1].rows)
     for settings in combinations(scene.grid) if scene.grid else ():
-        add("together", ", ".join(f"{short(entry)} {value}" for entry, value in settings.items()),
-            {**scene.base, **settings})
+        add("together", described(settings), run(scene.file, {**scene.base, **settings}))
     return reference, points
 
 
@@ -169,10 +182,9 @@ def describe(name, scene, points):
     rows = [[point.knob, point.value, percent(point.error), "" if point.change is None else percent(point.change),
              estimated(point), f"{point.seconds:.2f}", str(point.iterations), "yes" if point.place() in best else ""]
             for point in points]
-    base = ", ".join(f"{short(entry)} {value}" for entry, value in scene.base.items())
-    text = f"{scene.about} Base: {base}."
+    text = f"{scene.about} Base: {described(scene.base)}."
     if scene.finest:
-        text += " Finest: " + ", ".join(f"{short(entry)} {value}" for entry, value in scene.finest.items()) + "."
+        text += f" Finest: {described(scene.finest)}."
     return "\n\n".join([text, f"![Errors over CPU seconds](pictures/accuracy/{name}.svg)",
                         markdown_table(["knob", "value", "error", "change to its finest", "estimated", "CPU s",
                                "Newton iterations", "front"], rows)])
@@ -193,6 +205,7 @@ def write_reference(name, scene, rows):
     references = read_references()
     references[name] = {"scene": f"prm/{scene.file}.prm",
                         "settings": assignments({**scene.base, **scene.finest}),
+                        **({"mean over": [assignments(repeat) for repeat in scene.repeats]} if len(scene.repeats) > 1 else {}),
                         "rows": rows}
     with open(REFERENCES, "w") as file:
         json.dump(references, file, indent=1)
@@ -216,7 +229,7 @@ def study(name, run, document):
         file.write(picture(re.split("[.:]", scene.about)[0].replace("`", ""), series))
     if scene.levels is None:
         return
-    levels = [[name] + [f"{percent(point.error)}, {point.seconds:.2f} s, {point.iterations}"
+    levels = [[name] + [f"{percent(point.worst)}, {point.seconds:.2f} s, {point.iterations}"
                         for point in points if point.knob == "levels"]]
     with open(document) as text:
         rows = [line for line in text.read().split("<!-- end of levels -->")[0].splitlines()
@@ -235,8 +248,8 @@ def hold_levels(names, run):
         against = [("closed form", rows) for rows in (scene.exact, scene.held) if rows]
         if scene.finest:
             against.append(("finest run", references[name]["rows"]))
-        for level, bound in ((level, LEVELS[level]) for level in scene.kept):
-            result = run(scene.file, level_settings(scene, level))
+        for level, bound in LEVELS.items():
+            result = run(scene.file, level_settings(scene, level, scene.repeats[0]))
             for what, rows in against:
                 found = error(scene.curve(result), rows)
                 missed += not found <= bound

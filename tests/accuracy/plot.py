@@ -6,7 +6,7 @@
 import math
 from xml.sax.saxutils import escape
 
-COLORS = ("#1f77b4", "#ff7f0e", "#2ca02c", "#9467bd", "#8c564b", "#e377c2", "#17becf", "#bcbd22", "#7f7f7f")
+COLORS = ("#1f77b4", "#ff7f0e", "#2ca02c", "#9467bd", "#8c564b", "#e377c2", "#17becf", "#bcbd22", "#7f7f7f", "#d62728")
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 760, 460, 70, 220, 30, 50
 
 
@@ -60,7 +60,7 @@ def picture(title, series, cost="CPU seconds", comparable=True):
                    + " ".join(map(place, front(points))) + '"/>')
     for number, (name, line) in enumerate(series.items()):
         color = COLORS[number % len(COLORS)]
-        if name not in ("levels", "together"):
+        if name not in ("levels", "one of them", "together"):
             out.append(f'<polyline fill="none" stroke="{color}" points="' + " ".join(map(place, line)) + '"/>')
         size = 6 if name == "levels" else 3.5
         out += [f'<circle cx="{x(a):.1f}" cy="{y(100 * b):.1f}" r="{size}" fill="{color}"/>' for a, b in line]

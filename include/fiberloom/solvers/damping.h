@@ -88,13 +88,14 @@ namespace fiberloom
 
     const FiberMesh     &mesh;
     double               least = 0, value = 0;
-    bool                 quiet    = false;
+    bool                 quiet = false, balanced = false;
     unsigned int         patience = 0; // iterations before it is quiet
     bool                 cycles = false, cycle_ended = false;
-    unsigned int         position = 0; // steps of the cycle so far
-    unsigned int         n_waits  = 0; // steps after it
-    unsigned int         n_slow   = 0; // steps in a row that changed forces
-    std::vector<double>  of_lines;     // over the value; may be empty
+    unsigned int         position    = 0; // steps of the cycle so far
+    unsigned int         n_waits     = 0; // steps after it
+    unsigned int         n_slow      = 0; // steps in a row that changed forces
+    double               first_drift = 0; // of the first of them
+    std::vector<double>  of_lines;        // over the value; may be empty
     Eigen::VectorXd      last_step;
     std::vector<Vector3> last_forces;
   };
