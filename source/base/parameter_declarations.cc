@@ -514,7 +514,8 @@ namespace fiberloom
       catalogue.add("Largest loop iterations",
                     solver.largest_loop_iterations,
                     "Newton iterations where contact and normals are updated "
-                    "in every one, since penalties were last adapted.",
+                    "in every one, since penalties were last adapted; four "
+                    "times as many near the end of a weave.",
                     Allowed::whole(1, most_iterations));
       catalogue.add("Damping",
                     solver.damping,

@@ -172,12 +172,16 @@ namespace fiberloom
             return;
           }
 
+        // An end that no increment reaches would be approached for ever.
+        const bool tiny = std::ldexp(state.step, 2 * solver.largest_cuts) <
+                          stage.largest_step();
         ++statistics.rejected_increments;
-        if (cuts == solver.largest_cuts)
+        if (cuts == solver.largest_cuts || tiny)
           throw StageFailure("stage " + name + " stops at load " +
                              (boost::format("%.4f") % state.load).str() +
                              ": the increment failed after " +
-                             std::to_string(cuts) + " cuts" + advice());
+                             std::to_string(cuts) + " cuts" +
+                             (tiny ? ", tiny as it is" : "") + advice());
         state.step /= 2;
         log.write((boost::format("  %-8s increment to load %.4f failed, cut "
                                  "to %.2e") %
@@ -197,8 +201,8 @@ namespace fiberloom
     if (equilibrium.contacts().empty())
       return ", without contact; a larger \"Newton tolerance\" or a shorter "
              "\"Largest step\" may help";
-    return "; a larger \"Largest penetration\" or more elements per fiber may "
-           "help";
+    return "; a larger \"Largest penetration\" or \"Largest loop iterations\", or "
+           "more elements per fiber may help";
   }
 
 

@@ -47,6 +47,9 @@ namespace fiberloom
     // Of contacts that are about to close, over the largest contact force.
     constexpr double approach_force = .01, approach_over_tolerance = .3;
 
+    // Times the iterations that a loop may take far from balance.
+    constexpr unsigned int patience_near_end = 4;
+
     // A machine with other work on it is not always as fast.
     constexpr unsigned int yardstick_every = 10;
 
@@ -73,6 +76,17 @@ namespace fiberloom
       for (unsigned int i = n > window ? n - window : 1; i < n; ++i)
         rises += residuals[i] > rise * residuals[i - 1];
       return rises > most_rises;
+    }
+
+    // Soft fibers creep into place; on the way some are thrown now and then.
+    bool
+    is_near(const std::vector<double> &residuals)
+    {
+      constexpr int    window = 12;
+      constexpr double near   = .1;
+      return int(residuals.size()) > window &&
+             *std::min_element(residuals.end() - window, residuals.end()) <
+               near;
     }
   } // namespace
 
@@ -560,10 +574,15 @@ namespace fiberloom
       ++stiffenings;
       since_stiffening = 0;
     };
-    // Each stiffening is progress, after which the count begins anew.
-    for (; since_stiffening < largest_iterations &&
-           stiffenings < largest_stiffenings;
-         ++since_stiffening)
+    // Each stiffening is progress, after which the count begins anew. Where
+    // there is no shorter increment, any other way is dearer near the end.
+    const unsigned int most_iterations =
+      (problem.load_step > 0 ? 1 : patience_near_end) * largest_iterations;
+    const auto gets_on = [&]() {
+      return since_stiffening < largest_iterations ||
+             (since_stiffening < most_iterations && is_near(residuals));
+    };
+    for (; gets_on() && stiffenings < largest_stiffenings; ++since_stiffening)
       {
         longest_step = goes_round(residuals) ? .5 : 1;
         generate(state, problem);

@@ -28,7 +28,7 @@ def settings(seed, number):
     found = ["Stages=weave, relax", "Fabric/Pattern=" + " ".join(rows), "Fabric/Fill/Same as warp=false",
              "Accuracy=draft"]
     for family, n in tows.items():
-        fibers = draw.choice((1, 2, 3, 4, 5, 7))
+        fibers = draw.randint(1, 4)
         radius = round(draw.uniform(.004, .012), 5)
         # As wide as all fibers side by side, at least ten radii: fibers have to get around others.
         width = max(2.06 * fibers, 10)

@@ -60,8 +60,8 @@ namespace fiberloom
       const State &before; // the last accepted state
       Targets      targets;
       ContactRule  rule;
-      double       least_scale = 0; // of the residual [N]
-      double       load_step   = 0;
+      double       least_scale = 0;  // of the residual [N]
+      double       load_step   = 0;  // none: not to be cut
       Past         even        = {}; // another one to come from, see Stage
     };
 
@@ -77,7 +77,9 @@ namespace fiberloom
      * As solve(), but contacts and normals are generated anew in every Newton
      * iteration, whose tangent gets a diagonal of @p damping over E r: the
      * frozen normals of a tangent hide that slender fibers in a tow are
-     * unstable sideways, and without it they are thrown far.
+     * unstable sideways, and without it they are thrown far. Near balance it
+     * may take four times @p largest_iterations where the problem has no load
+     * step.
      */
     bool
     solve_in_one_loop(State             &state,
