@@ -108,7 +108,7 @@ namespace
       }
     checks.below("angle at which stations go, over that without history",
                  std::abs(with / without - .25),
-                 .02);
+                 .01);
     checks.equal("stations between, on the way back",
                  count_at(.5 * (with + without), true),
                  most / 2);

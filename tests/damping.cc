@@ -85,26 +85,21 @@ namespace
     checks.that("those that change by 2 % a step are not", !rests(1.02));
     checks.equal("no cycle yet", parts(damping, residuals)[1], 1);
 
-    damping.reset(least);
-    for (const double factor : {1.02, 1.02, 1.02, 1., 1.02})
-      rests(factor);
+    const auto parts_after = [&](const std::vector<double> &factors) {
+      damping.reset(least);
+      rests(1, false);
+      for (const double factor : factors)
+        rests(factor);
+      return parts(damping, residuals);
+    };
     checks.equal("nor after four that are not in a row",
-                 parts(damping, residuals)[1],
+                 parts_after({1.02, 1.02, 1.02, 1., 1.02})[1],
                  1);
-
-    damping.reset(least);
-    rests(1, false);
-    for (const double factor : {1.02, 1.018, 1.015, 1.013, 1.011})
-      rests(factor);
     checks.equal("nor where they decay fast enough",
-                 parts(damping, residuals)[1],
+                 parts_after({1.02, 1.018, 1.015, 1.013, 1.011})[1],
                  1);
 
-    damping.reset(least);
-    rests(1, false);
-    for (unsigned int i = 0; i < 4; ++i)
-      rests(1.02);
-    const auto found = parts(damping, residuals);
+    const auto found = parts_after({1.02, 1.02, 1.02, 1.02});
     checks.equal("far from balance", found[0], 1);
     checks.equal("a cycle begins", found[1], 1. / 4);
     checks.equal("with shifts as usual", damping.usual_over_Er() / least, 1);

@@ -153,8 +153,8 @@ def combinations(grid):
 def measure(scene, run):
     """Reference and all points of a scene."""
     points = []
-    reference = scene.exact or mean([scene.curve(run(scene.file, {**scene.base, **scene.finest, **repeat}))
-                                     for repeat in scene.repeats])
+    finest = [run(scene.file, {**scene.base, **scene.finest, **repeat}) for repeat in scene.repeats if scene.finest]
+    reference = scene.exact or mean([scene.curve(result) for result in finest])
 
     def add(knob, value, *results):
         points.append(Point(knob, value, results, scene.curve, reference))
@@ -168,6 +168,8 @@ def measure(scene, run):
         add("levels", level, *results)
         for repeat, result in zip(scene.repeats, results) if len(results) > 1 else ():
             add("one of them", f"{level}, {described(repeat)}", result)
+    for repeat, result in zip(scene.repeats, finest) if len(finest) > 1 else ():
+        add("one of them", f"finest, {described(repeat)}", result)
     for entry, values in scene.knobs.items():
         line = [add(short(entry), f"{value}", run(scene.file, {**scene.base, entry: value})) for value in values]
         for point in line:
