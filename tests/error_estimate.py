@@ -15,8 +15,8 @@ from program_runs import SMALL_WEAVE, SOURCE, check, curve, finish, run, unit
 
 FACTOR = 3  # that estimates may be off by
 
-BEND, ROPE, WEAVE = (os.path.join(SOURCE, "prm", "verification", name + ".prm")
-                     for name in ("a3_bend_45", "b1_rope", "k3_plain_weave_4x4"))
+BEND, ROPE, WEAVE, CROSSED = (os.path.join(SOURCE, "prm", "verification", name + ".prm")
+                              for name in ("a3_bend_45", "b1_rope", "k3_plain_weave_4x4", "k1_crossed"))
 # Where places are at the start; other columns begin at zero.
 BEGUN = {"tip_x[mm]": 100 * math.sin(math.pi / 4), "tip_y[mm]": 100 - 100 * math.cos(math.pi / 4)}
 
@@ -86,6 +86,13 @@ def main():
     check(f"two ranks: {shared}, one: {alone}",
           all(shared[part] is alone[part] is None or abs(shared[part] - alone[part]) <= 1e-3 * alone[part] + 1e-8
               for part in alone))
+    for elements in (1, 16):
+        name = f"crossed_{elements}"
+        _, estimate = final(name, CROSSED, f"Fibers/Elements per fiber={elements}")
+        with open(os.path.join(name, "log.txt")) as file:
+            said = 'relied on; a larger "Elements per fiber"' in file.read()
+        check(f"{name}: estimate {estimate['total']}, said to be too large: {said}",
+              said == (estimate["total"] > .1) == (elements == 1))
     _, off = final("off", WEAVE, "Solver/Error estimate=false")
     check("not asked for: none", all(value is None for value in off.values()))
     finish()

@@ -17,9 +17,38 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <utility>
 
 namespace fiberloom
 {
+  namespace
+  {
+    // An estimated error of a loading curve, the one that "draft" may have.
+    constexpr double too_much = .1;
+
+    /** The setting that makes the largest part of @p error smaller. */
+    std::string
+    finer_setting(const ErrorEstimate &error)
+    {
+      const std::pair<double, const char *> parts[] = {
+        {error.mesh, "a larger \"Elements per fiber\""},
+        {error.stations, "a larger \"Stations per element\""},
+        {error.penetration, "a smaller \"Largest penetration\""},
+        {error.matrix, "larger \"Cells along x\" and \"Cells along y\""}};
+      double      largest = 0;
+      std::string setting;
+      for (const auto &[part, finer] : parts)
+        if (part > largest) // false for NaN
+          {
+            largest = part;
+            setting = finer;
+          }
+      return setting;
+    }
+  } // namespace
+
+
+
   Simulation::Simulation(const Parameters  &parameters,
                          const CommandLine &command_line,
                          const MPI_Comm     comm)
@@ -301,6 +330,11 @@ namespace fiberloom
             str(boost::format(", matrix %.2g %%") % (100 * error.matrix)) :
             ""))
           .str());
+    if (error.total > too_much)
+      log.write((boost::format("%-8s that is too much to be relied on; %s, or "
+                               "tighter tolerances, may help") %
+                 statistics.name % finer_setting(error))
+                  .str());
   }
 
 
