@@ -15,8 +15,9 @@ from program_runs import SMALL_WEAVE, SOURCE, check, curve, finish, run, unit
 
 FACTOR = 3  # that estimates may be off by
 
-BEND, ROPE, WEAVE, CROSSED = (os.path.join(SOURCE, "prm", "verification", name + ".prm")
-                              for name in ("a3_bend_45", "b1_rope", "k3_plain_weave_4x4", "k1_crossed"))
+BEND, ROPE, WEAVE, CROSSED, CANTILEVER = (os.path.join(SOURCE, "prm", "verification", name + ".prm")
+                                          for name in ("a3_bend_45", "b1_rope", "k3_plain_weave_4x4", "k1_crossed",
+                                                       "a2_elastica"))
 # Where places are at the start; other columns begin at zero.
 BEGUN = {"tip_x[mm]": 100 * math.sin(math.pi / 4), "tip_y[mm]": 100 - 100 * math.cos(math.pi / 4)}
 
@@ -24,6 +25,8 @@ TIGHT = ["Solver/Contact tolerance=1e-5"]
 FABRIC = ["Fabric/Warp/Elements per fiber=12", "Contact/Stations per element=1", "Solver/Contact tolerance=0.002"]
 STIFF = "Contact/Line stiffness=753368.8"
 FINE_WEAVE = ["Fibers/Elements per fiber=64", "Contact/Stations per element=1", "Contact/Largest penetration=0.00125"]
+
+SLENDER = ["Fibers/Polylines=0 0 0, 160 0 0", "Fibers/Poisson ratio=0", "Drive tip/Force=0; 0; 9.17345e-8*t"]
 
 FILLED = ["Stages=weave, relax, coat, biaxial", "Fabric/Warp/Elements per fiber=12", "Contact/Stations per element=1",
           "Matrix/Layers=filled", "Matrix/Cells along x=4", "Matrix/Cells along y=4", "Matrix/Degree=1",
@@ -86,6 +89,11 @@ def main():
     check(f"two ranks: {shared}, one: {alone}",
           all(shared[part] is alone[part] is None or abs(shared[part] - alone[part]) <= 1e-3 * alone[part] + 1e-8
               for part in alone))
+    row, estimate = final("slender", CANTILEVER, *SLENDER)
+    finer, _ = final("slender_reference", CANTILEVER, *SLENDER, "Fibers/Elements per fiber=16")
+    true = max(abs(row[name] - finer[name]) for name in ("tip_x[mm]", "tip_z[mm]")) / row["tip_z[mm]"]
+    check(f"slender: error by mesh {true:.2e}, estimate {estimate['mesh']}",
+          true / FACTOR < estimate["mesh"] < true * FACTOR)
     for elements in (1, 16):
         name = f"crossed_{elements}"
         _, estimate = final(name, CROSSED, f"Fibers/Elements per fiber={elements}")

@@ -36,6 +36,8 @@ namespace fiberloom
 
     constexpr double rounding_errors =
       10 * std::numeric_limits<double>::epsilon();
+    constexpr double rounding_errors_of_sections =
+      4 * std::numeric_limits<double>::epsilon();
 
     /** What rounding of the positions makes of the forces in a cell, through
      * the strain, or in a junction [N]. */
@@ -86,10 +88,17 @@ namespace fiberloom
   {
     const double size = mesh.reference().lpNorm<Eigen::Infinity>();
     for (const auto &line : mesh.lines())
-      rounding =
-        std::max(rounding,
-                 rounding_errors * line.young_modulus * M_PI * line.radius *
-                   line.radius * size * line.n_nodes() / line.length);
+      {
+        const double axial_stiffness =
+          line.young_modulus * M_PI * line.radius * line.radius;
+        // Forces that widen and shear a section are those of an element's whole
+        // length: in very slender fibers their rounding is larger.
+        rounding = std::max({rounding,
+                             rounding_errors * axial_stiffness * size *
+                               line.n_nodes() / line.length,
+                             rounding_errors_of_sections * axial_stiffness *
+                               line.length / (line.n_elements * line.radius)});
+      }
     if (composite != nullptr)
       rounding = std::max(rounding, rounding_of_matrix(*composite));
 

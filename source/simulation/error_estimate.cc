@@ -20,7 +20,7 @@ namespace fiberloom
     // Balance is not waited for where fibers touch: the first iteration already
     // gives a stiff response, and soft fibers take many, also in a matrix,
     // which holds only the outer ones.
-    constexpr unsigned int n_in_contact = 2, n_otherwise = 8;
+    constexpr unsigned int n_in_contact = 2, n_otherwise = 40;
 
     // Columns that are smaller than this part of what is usual have no scale.
     constexpr double least_scale = 1e-3;
