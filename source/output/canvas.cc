@@ -5,6 +5,8 @@
 
 #include <fiberloom/output/canvas.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
@@ -90,8 +92,16 @@ namespace fiberloom
         return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
       };
     const double area = edge(p[0], p[1], p[2][0], p[2][1]);
-    if (area == 0)
+    const bool   turned_away =
+      std::all_of(corners.begin(), corners.end(), [](const Corner &corner) {
+        return corner.normal[2] < 0;
+      });
+    if (area == 0 || turned_away)
       return;
+
+    if (unsigned(object) >= colors.size())
+      colors.resize(object + 1);
+    colors[object] = color;
 
     const auto range = [&](const unsigned int d, const unsigned int size) {
       const auto [low, high] = std::minmax({p[0][d], p[1][d], p[2][d]});
@@ -101,35 +111,41 @@ namespace fiberloom
     };
     const auto columns = range(0, width), rows = range(1, height);
 
-    for (int y = rows[0]; y <= rows[1]; ++y)
-      for (int x = columns[0]; x <= columns[1]; ++x)
-        {
-          std::array<double, 3> weight;
-          for (unsigned int c = 0; c < 3; ++c)
-            weight[c] =
-              edge(p[(c + 1) % 3], p[(c + 2) % 3], x + .5, y + .5) / area;
-          if (std::min({weight[0], weight[1], weight[2]}) < 0)
-            continue;
+    // Barycentric coordinates of pixels, linear in a row.
+    const auto weights = [&](const double x, const double y) {
+      Vector3 weight;
+      for (unsigned int c = 0; c < 3; ++c)
+        weight[c] = edge(p[(c + 1) % 3], p[(c + 2) % 3], x, y) / area;
+      return weight;
+    };
+    const Vector3 step = weights(1, 0) - weights(0, 0);
 
-          double  depth  = 0;
-          Vector3 normal = Vector3::Zero();
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              depth += weight[c] * p[c][2];
-              normal += weight[c] * corners[c].normal;
-            }
-          Pixel &pixel = pixels[std::size_t(y) * width + x];
-          if (depth >= pixel.depth)
-            continue;
-          normal.normalize();
-          pixel.depth  = depth;
-          pixel.object = object;
-          for (unsigned int c = 0; c < 3; ++c)
-            {
+    for (int y = rows[0]; y <= rows[1]; ++y)
+      {
+        const Vector3 first = weights(columns[0] + .5, y + .5);
+        for (int x = columns[0]; x <= columns[1]; ++x)
+          {
+            const Vector3 weight = first + (x - columns[0]) * step;
+            if (weight.minCoeff() < -1e-9)
+              continue;
+
+            double  depth  = 0;
+            Vector3 normal = Vector3::Zero();
+            for (unsigned int c = 0; c < 3; ++c)
+              {
+                depth += weight[c] * p[c][2];
+                normal += weight[c] * corners[c].normal;
+              }
+            Pixel &pixel = pixels[std::size_t(y) * width + x];
+            if (depth >= pixel.depth)
+              continue;
+            normal.normalize();
+            pixel.depth  = depth;
+            pixel.object = object;
+            for (unsigned int c = 0; c < 3; ++c)
               pixel.normal[c] = normal[c];
-              pixel.color[c]  = color.rgb[c];
-            }
-        }
+          }
+      }
   }
 
 
@@ -142,21 +158,22 @@ namespace fiberloom
       if (pixel.object >= 0)
         furthest = std::max(furthest, pixel.depth);
 
-    std::vector<float> depth(pixels.size()), other(pixels.size());
-    for (std::size_t i = 0; i < pixels.size(); ++i)
-      depth[i] = pixels[i].object >= 0 ? pixels[i].depth : furthest;
+    const unsigned int w = width / 2, h = height / 2;
+    std::vector<float> depth(std::size_t(w) * h), other(depth.size());
+    for (unsigned int y = 0; y < h; ++y)
+      for (unsigned int x = 0; x < w; ++x)
+        for (unsigned int s = 0; s < 4; ++s)
+          depth[std::size_t(y) * w + x] +=
+            .25f * std::min(furthest, at(2 * x + s % 2, 2 * y + s / 2).depth);
 
     const int n = std::max(1, int(reach));
     for (unsigned int pass = 0; pass < 2; ++pass)
       {
-        for (unsigned int y = 0; y < height; ++y)
-          box_blur(&depth[std::size_t(y) * width],
-                   &other[std::size_t(y) * width],
-                   width,
-                   1,
-                   n);
-        for (unsigned int x = 0; x < width; ++x)
-          box_blur(&other[x], &depth[x], height, width, n);
+        for (unsigned int y = 0; y < h; ++y)
+          box_blur(
+            &depth[std::size_t(y) * w], &other[std::size_t(y) * w], w, 1, n);
+        for (unsigned int x = 0; x < w; ++x)
+          box_blur(&other[x], &depth[x], h, w, n);
       }
     return depth;
   }
@@ -200,12 +217,13 @@ namespace fiberloom
 
     const Vector3 normal(pixel.normal[0], pixel.normal[1], pixel.normal[2]);
     const double  diffuse = .42 + .66 * std::max(0., normal.dot(light));
-    const double  gloss = .30 * std::pow(std::max(0., normal.dot(halfway)), 30);
+    const double  gloss   = .30 * dealii::Utilities::fixed_power<30>(
+                                 std::max(0., normal.dot(halfway)));
+    const Color         &color = colors[pixel.object];
     std::array<float, 3> result;
     for (unsigned int c = 0; c < 3; ++c)
-      result[c] = std::clamp<float>((pixel.color[c] * diffuse + gloss) * shadow,
-                                    0.f,
-                                    1.f);
+      result[c] =
+        std::clamp<float>((color.rgb[c] * diffuse + gloss) * shadow, 0.f, 1.f);
     return result;
   }
 
@@ -214,7 +232,7 @@ namespace fiberloom
   std::string
   Canvas::png(const double reach) const
   {
-    const std::vector<float> around = blurred_depth(2 * reach);
+    const std::vector<float> around = blurred_depth(reach);
 
     const unsigned int         w = width / 2, h = height / 2;
     std::vector<unsigned char> bytes(3 * std::size_t(w) * h);
@@ -225,9 +243,9 @@ namespace fiberloom
           for (unsigned int s = 0; s < 4; ++s)
             {
               const unsigned int px = 2 * x + s % 2, py = 2 * y + s / 2;
-              const std::size_t  i     = std::size_t(py) * width + px;
-              const float        below = pixels[i].depth - around[i];
-              const float        shadow =
+              const float        below =
+                at(px, py).depth - around[std::size_t(y) * w + x];
+              const float shadow =
                 1 - std::clamp<float>(.45 * below / (2 * reach), 0.f, .62f);
               const auto color = shade(px, py, shadow);
               for (unsigned int c = 0; c < 3; ++c)

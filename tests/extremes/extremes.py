@@ -7,14 +7,15 @@
     extremes.py PROGRAM --weaves N [--first N] [--seed N] [--jobs N] [--work DIRECTORY]
 
 Rows are in rows.py, on scenes of prm/verification. A run has survived if it ends with status 0
-and its numbers are within their tolerance; failed if it refuses or gives up (status 1 or 2)
-with one line that names a setting; is wrong if a number is off; crashed otherwise.
+and its numbers are within their tolerance; is refused if its input is (status 1), failed if it
+gives up (status 2), each with one line that names a setting; is wrong if a number is off; crashed
+otherwise.
 
 Prints a table: row, value, quantity, verdict, Newton iterations, error, tolerance, CPU seconds,
-and what those that failed said. Ends with status 1 if something is wrong or crashed. --write
-puts both into a document behind the line that says it is generated, after each row, and pictures of
-errors over seconds, of rows where they have to fall, into pictures/extremes beside it. --weaves
-runs random_weaves.py instead, JOBS at a time and from number FIRST on.
+and what those that were refused or failed said. Ends with status 1 if something is wrong or
+crashed. --write puts both into a document behind the line that says it is generated, after each
+row, and pictures of errors over seconds, of rows where they have to fall, into pictures/extremes
+beside it. --weaves runs random_weaves.py instead, JOBS at a time and from number FIRST on.
 """
 
 import argparse
@@ -35,6 +36,7 @@ from verify import RunFailed, Runner
 HEADER = ["row", "value", "quantity", "verdict", "Newton iterations", "error", "tolerance", "CPU s"]
 MARK = "<!-- generated from here on by ./loom extremes -->"
 LEAST = 1e-9  # an error below it is drawn as this one
+ENDED = {1: "refused", 2: "failed"}  # by status, if the message helps
 UNUSABLE = ("wrong", "crashed")
 
 
@@ -48,7 +50,7 @@ def verdict_of(failure, names):
     """Of a run that did not end with status 0: it has to say what would help."""
     helps = any(name in failure.message for name in names)
     one_line = failure.message.startswith("fiberloom: ") and "\n" not in failure.message
-    return "failed" if failure.status in (1, 2) and one_line and helps else "crashed"
+    return ENDED.get(failure.status, "crashed") if one_line and helps else "crashed"
 
 
 def sweep(arguments):
@@ -79,7 +81,8 @@ def sweep(arguments):
         if arguments.write:  # after each row, so that a sweep can be cut off
             write(arguments.write, table, messages, falling)
     print(*messages, sep="\n")
-    counts = {verdict: sum(line[3] == verdict for line in table) for verdict in ("survived", "failed") + UNUSABLE}
+    counts = {verdict: sum(line[3] == verdict for line in table)
+              for verdict in ("survived", *ENDED.values(), *UNUSABLE)}
     print(", ".join(f"{count} {verdict}" for verdict, count in counts.items()))
     return any(counts[verdict] for verdict in UNUSABLE)
 
@@ -100,8 +103,9 @@ def write(file, lines, messages, falling):
             drawing.write(picture(row, series, "seconds of detection, assembly and linear solver",
                                   comparable=False))
         about += f"\n\n![{row}: errors over seconds](pictures/extremes/{row}.svg)"
-    said = "\n".join(f"- {message}" for message in messages) or "None failed."
-    replace_block(file, f"{about}\n\n{markdown_table(HEADER, lines)}\n\n## What those that failed said\n\n{said}", MARK)
+    said = "\n".join(f"- {message}" for message in messages) or "All survived."
+    replace_block(file, f"{about}\n\n{markdown_table(HEADER, lines)}\n\n"
+                        f"## What those that were refused or failed said\n\n{said}", MARK)
 
 
 def main():

@@ -57,7 +57,7 @@ def woven(number, arguments, names, verdict_of):
 
 
 def weave(arguments, names, verdict_of):
-    counts = dict.fromkeys(("in order", "failed", "wrong", "crashed"), 0)
+    counts = dict.fromkeys(("in order", "refused", "failed", "wrong", "crashed"), 0)
     start = time.time()
     numbers = range(arguments.first, arguments.first + arguments.weaves)
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as jobs:

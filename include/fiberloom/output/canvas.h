@@ -33,7 +33,11 @@ namespace fiberloom
 
     Canvas(const unsigned int width, const unsigned int height);
 
-    /** @p object : neighbouring pixels of other objects get a dark border. */
+    /**
+     * Leaves out triangles whose normals all point away from the eye, the
+     * inner sides of closed bodies. @p object : neighbouring pixels of other
+     * objects get a dark border.
+     */
     void
     draw(const std::array<Corner, 3> &corners,
          const Color                 &color,
@@ -52,7 +56,6 @@ namespace fiberloom
       float                depth  = std::numeric_limits<float>::max();
       int                  object = -1;
       std::array<float, 3> normal{{0, 0, 0}};
-      std::array<float, 3> color{{1, 1, 1}};
     };
 
     const Pixel &
@@ -73,6 +76,7 @@ namespace fiberloom
 
     unsigned int       width, height;
     std::vector<Pixel> pixels;
+    std::vector<Color> colors; // of objects
   };
 } // namespace fiberloom
 
