@@ -19,6 +19,7 @@ namespace fiberloom
 
   VectorFunction::VectorFunction(const std::string &text)
     : functions(std::make_unique<ParsedFunctions<1>>(text, 3, "t"))
+    , constant(text.find('t') == std::string::npos)
   {}
 
 
@@ -38,6 +39,8 @@ namespace fiberloom
   VectorFunction::time_of_largest(const double end) const
   {
     double time = 0, largest = -1;
+    if (constant)
+      return time;
     for (unsigned int i = 0; i <= path_samples; ++i)
       {
         const double t = end * i / path_samples;
@@ -57,6 +60,9 @@ namespace fiberloom
                               const double step,
                               const double end) const
   {
+    if (constant)
+      return step;
+
     std::vector<double> length(path_samples + 1, 0.);
     Vector3             before = value(0);
     for (unsigned int i = 1; i <= path_samples; ++i)

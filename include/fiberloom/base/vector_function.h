@@ -36,6 +36,9 @@ namespace fiberloom
 
   private:
     std::unique_ptr<const ParsedFunctions<1>> functions;
+
+    /** No letter t in it: no need to sample it. */
+    bool constant;
   };
 } // namespace fiberloom
 
