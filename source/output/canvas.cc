@@ -126,7 +126,7 @@ namespace fiberloom
         for (int x = columns[0]; x <= columns[1]; ++x)
           {
             const Vector3 weight = first + (x - columns[0]) * step;
-            if (weight.minCoeff() < -1e-9)
+            if (weight.minCoeff() < -1e-9) // no gap between neighbours
               continue;
 
             double  depth  = 0;

@@ -64,7 +64,7 @@ namespace fiberloom
       return pixels[y * width + x];
     }
 
-    /** Mean depth around each pixel, steps clamped to @p reach . */
+    /** Mean depth around each pixel of the picture, blurred over @p reach . */
     std::vector<float>
     blurred_depth(const double reach) const;
 
