@@ -481,6 +481,15 @@ namespace fiberloom
     declare_solver(ParameterCatalogue &catalogue, SolverParameters &solver)
     {
       catalogue.enter_section("Solver");
+      catalogue.add("Loops",
+                    solver.loops,
+                    "How equilibrium is found where fibers touch. damped: "
+                    "contact is found anew in every iteration, the tangent has "
+                    "a diagonal, and nested loops are there for when that "
+                    "fails. newton: points of contact follow the fibers in one "
+                    "potential with its exact Hessian, and steps are judged by "
+                    "energy; for a \"Contact tolerance\" of 1e-4 and less.",
+                    Allowed::one_of("damped|newton"));
       catalogue.add("Contact tolerance",
                     solver.contact_tolerance,
                     "Residual, after contacts and normals are found anew, at "

@@ -8,6 +8,7 @@
 #include <fiberloom/contact/contact_exchange.h>
 #include <fiberloom/contact/contact_generator.h>
 #include <fiberloom/contact/contact_law.h>
+#include <fiberloom/contact/contact_potential.h>
 #include <fiberloom/contact/zone_class.h>
 
 #include <algorithm>
@@ -72,6 +73,45 @@ namespace fiberloom
 
 
 
+  void
+  ContactGenerator::place_at(ContactElement      &contact,
+                             const ParameterPair &u) const
+  {
+    for (unsigned int s = 0; s < 2; ++s)
+      {
+        contact.points[s]      = mesh.locate(contact.fibers[s], u[s]);
+        contact.first_nodes[s] = mesh.first_node(contact.points[s].element);
+        contact.weights[s]     = shape_values(contact.points[s].xi);
+      }
+  }
+
+
+
+  void
+  ContactGenerator::let_points_follow(std::vector<ContactElement> &contacts,
+                                      const DofVector             &q,
+                                      const ContactState          &state) const
+  {
+    for (ContactElement &contact : contacts)
+      {
+        const ContactZone &zone = state.zones[contact.zone];
+        if (zone.crossing && zone.range[0][0] == zone.range[0][1])
+          continue; // from above
+        contact.following   = zone.crossing ? ContactElement::Points::closest :
+                                              ContactElement::Points::on_plane;
+        contact.orientation = zone.side;
+        if (!zone.crossing)
+          contact.orientation =
+            sign(mesh.section(q, contact.points[0])
+                   .tangent()
+                   .dot(mesh.section(q, contact.points[1]).tangent()));
+        for (unsigned int s = 0; s < 2; ++s)
+          contact.u[s] = mesh.parameter(contact.points[s]);
+      }
+  }
+
+
+
   ContactElement
   ContactGenerator::new_element(const unsigned int   zone,
                                 const ParameterPair &u,
@@ -81,13 +121,9 @@ namespace fiberloom
     ContactElement     contact;
     contact.zone   = zone;
     contact.fibers = of.fibers;
+    place_at(contact, u);
     for (unsigned int s = 0; s < 2; ++s)
-      {
-        contact.points[s]      = mesh.locate(of.fibers[s], u[s]);
-        contact.first_nodes[s] = mesh.first_node(contact.points[s].element);
-        contact.weights[s]     = shape_values(contact.points[s].xi);
-        contact.radii[s]       = mesh.lines()[of.fibers[s]].radius;
-      }
+      contact.radii[s] = mesh.lines()[of.fibers[s]].radius;
     const double radius    = std::min(contact.radii[0], contact.radii[1]);
     contact.normal         = Vector3::Zero();
     contact.offset         = 0;
@@ -169,6 +205,8 @@ namespace fiberloom
     add_proximity_zones(q, rule, before, state, contacts);
     if (rule.from_above)
       add_woven_crossings(q, rule, before, state, contacts);
+    if (rule.points_follow)
+      let_points_follow(contacts, q, state);
     update(contacts, q, q_before, rule, state);
     gather_contacts(comm, state.zones, contacts);
 
@@ -544,15 +582,25 @@ namespace fiberloom
   {
     for (ContactElement &contact : contacts)
       {
+        contact.stiffness = state.zones[contact.zone].stiffness;
+        if (contact.following != ContactElement::Points::fixed)
+          {
+            normal_energy(contact, mesh, q);
+            place_at(contact, contact.u);
+          }
         set_normal(contact, q, state);
-        contact.stiffness    = state.zones[contact.zone].stiffness;
-        const SectionPair x  = section_pair(contact, q);
-        contact.gap          = contact_gap(contact, x);
-        contact.normal_force = contact_normal_law(contact, -contact.gap).force;
+        const SectionPair x = section_pair(contact, q);
+        if (contact.following == ContactElement::Points::fixed)
+          {
+            contact.gap = contact_gap(contact, x);
+            contact.normal_force =
+              contact_normal_law(contact, -contact.gap).force;
+          }
         place_particles(contact, x);
         if (!rule.friction)
           continue;
 
+        contact.normal_force_before = contact.normal_force;
         contact.friction_limit =
           parameters.friction_coefficient * contact.normal_force;
         // What was before has turned with the two fibers since.

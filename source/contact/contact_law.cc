@@ -194,16 +194,37 @@ namespace fiberloom
 
 
   double
+  friction_energy(const ContactElement &contact, const SectionPair &x)
+  {
+    if (!(contact.friction_limit > 0))
+      return 0;
+    return friction_law(trial_slip(contact, x).norm(),
+                        contact.friction_limit,
+                        contact.elastic_slip)
+      .energy;
+  }
+
+
+
+  double
   contact_energy(const ContactElement &contact, const SectionPair &x)
   {
-    double energy =
-      contact_normal_law(contact, -contact_gap(contact, x)).energy;
-    if (contact.friction_limit > 0)
-      energy += friction_law(trial_slip(contact, x).norm(),
-                             contact.friction_limit,
-                             contact.elastic_slip)
-                  .energy;
-    return energy;
+    return contact_normal_law(contact, -contact_gap(contact, x)).energy +
+           friction_energy(contact, x);
+  }
+
+
+
+  void
+  evaluate_friction(ContactElement    &contact,
+                    const SectionPair &x,
+                    SectionPair       &residual,
+                    SectionPair2      *tangent)
+  {
+    residual.setZero();
+    if (tangent != nullptr)
+      tangent->setZero();
+    add_friction(contact, x, residual, tangent);
   }
 
 

@@ -63,8 +63,8 @@ namespace fiberloom
 
     std::sort(needed.begin(), needed.end());
     needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
-    std::vector<int>          dofs;
-    std::vector<unsigned int> position_of_block(numbering.n_blocks());
+    std::vector<int> dofs;
+    position_of_block.assign(numbering.n_blocks(), 0);
     for (const unsigned int block : needed)
       {
         position_of_block[block] = dofs.size();
@@ -171,6 +171,35 @@ namespace fiberloom
 
 
 
+  void
+  BlockMatrix::add_outer_product(const std::vector<unsigned int> &blocks,
+                                 const Eigen::VectorXd           &row,
+                                 const Eigen::VectorXd           &column)
+  {
+    OuterProduct product{{}, {}, row, column};
+    unsigned int offset = 0;
+    for (const unsigned int block : blocks)
+      {
+        const unsigned int size = numbering.size(block);
+        if (const int local = numbering.local_block(block); local >= 0)
+          product.rows.push_back(
+            {{numbering.local_first_dof(local), offset, size}});
+        product.columns.push_back({{position_of_block[block], offset, size}});
+        offset += size;
+      }
+    outer_products.push_back(std::move(product));
+  }
+
+
+
+  void
+  BlockMatrix::remove_outer_products()
+  {
+    outer_products.clear();
+  }
+
+
+
   int
   BlockMatrix::Apply(const Epetra_MultiVector &x, Epetra_MultiVector &y) const
   {
@@ -210,6 +239,19 @@ namespace fiberloom
                   Eigen::Map<const Eigen::VectorXd>(in, width);
             }
         }
+    if (outer_products_used)
+      for (int v = 0; v < x.NumVectors(); ++v)
+        for (const OuterProduct &product : outer_products)
+          {
+            double factor = 0;
+            for (const auto &[where, offset, size] : product.columns)
+              factor +=
+                Eigen::Map<const Eigen::VectorXd>(imported[v] + where, size)
+                  .dot(product.column.segment(offset, size));
+            for (const auto &[where, offset, size] : product.rows)
+              Eigen::Map<Eigen::VectorXd>(y[v] + where, size) +=
+                factor * product.row.segment(offset, size);
+          }
     return 0;
   }
 } // namespace fiberloom

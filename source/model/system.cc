@@ -193,6 +193,16 @@ namespace fiberloom
         const unsigned int i = contact.first_nodes[0],
                            j = contact.first_nodes[1];
         blocks               = {i, i + 1, i + 2, j, j + 1, j + 2};
+        if (contact.following != ContactElement::Points::fixed)
+          for (unsigned int s = 0; s < 2; ++s)
+            {
+              const LineWeights weights(mesh.lines()[contact.fibers[s]],
+                                        contact.u[s]);
+              for (unsigned int a = 0; a < weights.n; ++a)
+                blocks.push_back(weights.first_node + a);
+            }
+        std::sort(blocks.begin(), blocks.end());
+        blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
         append_bodies(movement, supports, numbering, blocks);
         couple(numbering, blocks, pattern);
       }
@@ -301,7 +311,10 @@ namespace fiberloom
   {
     std::fill(residual.begin(), residual.end(), 0.);
     if constexpr (with_tangent)
-      system_matrix.set_zero();
+      {
+        system_matrix.set_zero();
+        system_matrix.remove_outer_products();
+      }
 
     double       scale = 0;
     ElementGroup group;
@@ -329,8 +342,14 @@ namespace fiberloom
       }
     largest_force = max(largest_force, numbering.communicator());
 
+    PotentialGroup potential;
     for (ContactElement &contact : contacts)
       {
+        if (contact.following != ContactElement::Points::fixed)
+          {
+            add_contact<with_tangent>(state, contact, potential);
+            continue;
+          }
         ContactGroup      contact_group(contact);
         const SectionPair x = section_pair(contact, state.q);
         const bool        mine =
@@ -363,6 +382,118 @@ namespace fiberloom
                     MPI_SUM,
                     numbering.communicator());
     add_body_loads<with_tangent>(targets);
+  }
+
+
+
+  template <bool with_tangent>
+  void
+  System::add_contact(const State    &state,
+                      ContactElement &contact,
+                      PotentialGroup &normal)
+  {
+    const bool active =
+      evaluate_normal(contact,
+                      mesh,
+                      state.q,
+                      normal.potential,
+                      with_tangent ? curvature : Curvature::none);
+    if (active)
+      {
+        normal.set_nodes();
+        if (touches_owned(normal.nodes.data(), normal.nodes.size()))
+          scatter<with_tangent>(state, normal);
+      }
+    contact.friction_force = Vector3::Zero();
+    contact.slip           = Vector3::Zero();
+    if (!(contact.friction_limit > 0))
+      return;
+    ContactGroup friction(contact);
+    const bool   mine = touches_owned(friction.nodes.data(), friction.n_nodes);
+    evaluate_friction(contact,
+                      section_pair(contact, state.q),
+                      friction.residual,
+                      with_tangent && mine ? &friction.tangent : nullptr);
+    if (mine)
+      scatter<with_tangent>(state, friction);
+    if (with_tangent && mine && active && couples_limits)
+      couple_limit(state, contact, friction, normal);
+  }
+
+
+
+  void
+  System::add_closing(const State                     &state,
+                      std::vector<ContactElement>     &contacts,
+                      const std::vector<unsigned int> &closing)
+  {
+    std::vector<double> balance(residual.size(), 0.);
+    residual.swap(balance);
+    PotentialGroup normal;
+    for (const unsigned int i : closing)
+      {
+        ContactElement predicted = contacts[i];
+        if (!evaluate_normal(
+              predicted, mesh, state.q, normal.potential, curvature))
+          continue;
+        normal.set_nodes();
+        if (touches_owned(normal.nodes.data(), normal.nodes.size()))
+          scatter<true>(state, normal);
+      }
+    for (unsigned int i = 0; i < rhs.size(); ++i)
+      rhs[i] -= residual[i];
+    residual.swap(balance);
+    eliminate_fixed(pending);
+  }
+
+
+
+  void
+  System::couple_limit(const State          &state,
+                       const ContactElement &contact,
+                       const ContactGroup   &friction,
+                       const PotentialGroup &normal)
+  {
+    const unsigned int n = normal.nodes.size();
+    const double       coefficient =
+      contact.friction_limit / std::max(contact.normal_force_before, 1e-300);
+    HeldGroup rows(
+      normal.nodes.data(), n, movement.attachments(), supports, numbering),
+      columns(rows);
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        Eigen::Matrix<double, 9, 1> force = Eigen::Matrix<double, 9, 1>::Zero();
+        for (unsigned int b = 0; b < friction.n_nodes; ++b)
+          if (friction.nodes[b] == normal.nodes[a] &&
+              b / 3 == normal.potential.fiber[a])
+            force = friction.force(b) / contact.friction_limit;
+        rows.set_force(a, force);
+        columns.set_force(a,
+                          coefficient * normal.potential.value[a] *
+                            normal.potential.force_slope.segment<9>(
+                              9 * normal.potential.fiber[a]));
+      }
+    rows.transform(state.q, state.placements, false);
+    columns.transform(state.q, state.placements, false);
+    std::vector<unsigned int> blocks;
+    std::vector<double>       row, column;
+    for (unsigned int a = 0; a < rows.n_blocks(); ++a)
+      {
+        const unsigned int block = rows.block(a);
+        blocks.push_back(block);
+        const Eigen::VectorXd r = rows.force(a), c = columns.force(a);
+        for (unsigned int i = 0; i < r.size(); ++i)
+          {
+            const bool fixed =
+              movement.is_fixed(numbering.first_dof(block) + i);
+            row.push_back(fixed ? 0 : r[i]);
+            column.push_back(fixed ? 0 : c[i]);
+          }
+      }
+    system_matrix.add_outer_product(
+      blocks,
+      Eigen::Map<const Eigen::VectorXd>(row.data(), row.size()),
+      Eigen::Map<const Eigen::VectorXd>(column.data(), column.size()));
   }
 
 
@@ -550,101 +681,5 @@ namespace fiberloom
                             std::vector<ContactElement> &contacts)
   {
     assemble_all<false>(state, targets, contacts);
-  }
-
-
-
-  RigidModes
-  System::rigid_modes() const
-  {
-    // Near enough to a body's reference point, which is part of the state.
-    const auto node_center = [this](const unsigned int node) {
-      return node < mesh.n_nodes() ?
-               Vector3(mesh.reference().segment<3>(9 * node)) :
-               Vector3(composite->matrix().reference().segment<3>(
-                 3 * (node - mesh.n_nodes())));
-    };
-    std::vector<Vector3>      centers(supports.bodies.size(), Vector3::Zero());
-    std::vector<unsigned int> n_held(supports.bodies.size(), 0);
-    for (const Attachment &attachment : supports.attachments)
-      {
-        centers[attachment.body] += node_center(attachment.node);
-        ++n_held[attachment.body];
-      }
-    for (unsigned int b = 0; b < centers.size(); ++b)
-      centers[b] /= std::max(1u, n_held[b]);
-
-    std::array<std::vector<double>, 6> modes;
-    for (unsigned int mode = 0; mode < 6; ++mode)
-      {
-        Vector3 shift = Vector3::Zero(), turn = Vector3::Zero();
-        (mode < 3 ? shift : turn)[mode % 3] = 1;
-        for (const unsigned int block : numbering.owned_blocks())
-          {
-            Eigen::VectorXd change(numbering.size(block));
-            if (block >= numbering.n_nodes())
-              change << shift +
-                          turn.cross(centers[block - numbering.n_nodes()]),
-                turn;
-            else if (movement.attachment(block) >= 0)
-              change.setZero(); // goes with its body
-            else if (block >= mesh.n_nodes())
-              change = shift + turn.cross(node_center(block));
-            else
-              for (unsigned int v = 0; v < 3; ++v)
-                change.segment<3>(3 * v) =
-                  (v == 0 ? shift : Vector3::Zero().eval()) +
-                  turn.cross(mesh.reference().segment<3>(9 * block + 3 * v));
-            for (unsigned int k = 0; k < change.size(); ++k)
-              modes[mode].push_back(
-                movement.is_fixed(numbering.first_dof(block) + k) ? 0 :
-                                                                    change[k]);
-          }
-      }
-    return modes;
-  }
-
-
-
-  double
-  System::residual_norm() const
-  {
-    double norm = 0;
-    for (unsigned int row = 0; row < numbering.owned_blocks().size(); ++row)
-      {
-        const unsigned int block = numbering.owned_blocks()[row];
-        for (unsigned int i = 0; i < numbering.size(block); ++i)
-          if (!movement.is_fixed(numbering.first_dof(block) + i))
-            {
-              const bool   moment = block >= numbering.n_nodes() && i >= 3;
-              const double value =
-                std::abs(residual[numbering.local_first_dof(row) + i]);
-              norm =
-                std::max(norm, moment ? value / rotation_lever(mesh) : value);
-            }
-      }
-    return max(norm, numbering.communicator());
-  }
-
-
-
-  double
-  System::force_scale() const
-  {
-    return largest_force;
-  }
-
-
-
-  Eigen::VectorXd
-  System::gather(const std::vector<double> &owned_solution) const
-  {
-    const Epetra_Vector owned(Copy,
-                              *owned_map,
-                              const_cast<double *>(owned_solution.data()));
-    Epetra_Vector       all(*everything);
-    const int           error = all.Import(owned, *importer, Insert);
-    AssertThrow(error == 0, dealii::ExcMessage("import of the increment"));
-    return Eigen::Map<const Eigen::VectorXd>(all.Values(), all.MyLength());
   }
 } // namespace fiberloom

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/contact/contact_law.h>
+#include <fiberloom/contact/contact_potential.h>
 
 #include <fiberloom/model/system.h>
 
@@ -19,7 +20,17 @@ namespace fiberloom
         energy += mesh.element(e).energy(mesh.element_dofs(state.q, e));
     for (const ContactElement &contact : contacts)
       if (numbering.local_block(contact.first_nodes[0]) >= 0)
-        energy += contact_energy(contact, section_pair(contact, state.q));
+        {
+          const SectionPair x = section_pair(contact, state.q);
+          if (contact.following == ContactElement::Points::fixed)
+            energy += contact_energy(contact, x);
+          else
+            {
+              ContactElement moved = contact;
+              energy += normal_energy(moved, mesh, state.q) +
+                        friction_energy(contact, x);
+            }
+        }
     if (composite != nullptr)
       energy += matrix_energy(state);
     return dealii::Utilities::MPI::sum(energy, numbering.communicator());

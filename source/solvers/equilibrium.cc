@@ -106,84 +106,24 @@ namespace fiberloom
     , statistics(statistics)
     , watch(std::move(watch))
     , damping(mesh)
+    , increment(mesh, parameters.solver, generator, system, statistics)
+    , by_newton(mesh,
+                system,
+                linear_solver,
+                statistics,
+                increment,
+                parameters.solver.largest_move,
+                this->watch)
     , penetration(mesh, parameters.contact, system.motion())
     , prescribed_limit(parameters.solver.largest_move)
   {}
 
 
 
-  void
-  Equilibrium::generate(State &state, const Problem &problem)
-  {
-    {
-      ScopedTimer timer(statistics.seconds.detection);
-      contact_elements = generator.generate(state.q,
-                                            problem.before.q,
-                                            problem.rule,
-                                            state.contact);
-      ++statistics.contact_updates;
-    }
-    ScopedTimer timer(statistics.seconds.assembly);
-    system.reinit(contact_elements);
-  }
-
-
-
-  void
-  Equilibrium::update_normals(const State &state, const Problem &problem)
-  {
-    ScopedTimer timer(statistics.seconds.detection);
-    generator.update(
-      contact_elements, state.q, problem.before.q, problem.rule, state.contact);
-    ++statistics.normal_updates;
-  }
-
-
-
-  double
-  Equilibrium::residual_scale(const Problem &problem) const
-  {
-    // Where nothing is stressed, as after a rigid motion, only rounding is
-    // left.
-    const double floor =
-      std::max({problem.least_scale,
-                1e-9 * system.stiffness_scale() * mesh.smallest_radius(),
-                system.rounding_force() / tolerance()});
-    double largest = 0;
-    for (const ContactElement &contact : contact_elements)
-      largest = std::max(largest, contact.normal_force);
-    if (largest == 0)
-      largest = system.force_scale();
-    return std::max(largest, floor);
-  }
-
-
-
-  double
-  Equilibrium::tolerance() const
-  {
-    for (const ContactElement &contact : contact_elements)
-      if (contact.normal_force > 0)
-        return parameters.solver.contact_tolerance;
-    return parameters.solver.newton_tolerance;
-  }
-
-
-
   double
   Equilibrium::tightest() const
   {
-    return std::min(tightest_inner, tolerance());
-  }
-
-
-
-  double
-  Equilibrium::measure(const State &state, const Problem &problem)
-  {
-    ScopedTimer timer(statistics.seconds.assembly);
-    system.assemble_residual(state, problem.targets, contact_elements);
-    return system.residual_norm() / residual_scale(problem);
+    return std::min(tightest_inner, increment.tolerance());
   }
 
 
@@ -191,19 +131,19 @@ namespace fiberloom
   double
   Equilibrium::search_along(const State           &state,
                             const Problem         &problem,
-                            const Eigen::VectorXd &increment,
+                            const Eigen::VectorXd &step,
                             const double           factor) const
   {
-    const double before = system.energy(state, contact_elements);
+    const double before = system.energy(state, increment.contacts);
     double       tried  = factor;
     for (unsigned int i = 0; i < largest_halvings; ++i, tried /= 2)
       {
         State moved;
         moved.q          = state.q;
         moved.placements = state.placements;
-        system.motion().advance(moved, increment, tried);
+        system.motion().advance(moved, step, tried);
         const double work = system.load_work(problem.targets, state, moved);
-        if (system.energy(moved, contact_elements) - work <=
+        if (system.energy(moved, increment.contacts) - work <=
             before + 1e-12 * std::abs(before))
           return tried;
       }
@@ -219,17 +159,14 @@ namespace fiberloom
                            const bool     search_line)
   {
     const double approach =
-      in_one_loop ?
-        std::min(approach_force, approach_over_tolerance * this->tolerance()) *
-          residual_scale(problem) :
-        0;
-    for (ContactElement &contact : contact_elements)
+      in_one_loop ? std::min(approach_force,
+                             approach_over_tolerance * increment.tolerance()) *
+                      increment.scale(problem) :
+                    0;
+    for (ContactElement &contact : increment.contacts)
       contact.approach_force = approach;
-    {
-      ScopedTimer timer(statistics.seconds.assembly);
-      system.assemble(state, problem.targets, contact_elements);
-    }
-    const double scale    = residual_scale(problem);
+    increment.assemble(state, problem);
+    const double scale    = increment.scale(problem);
     const double residual = system.residual_norm() / scale;
     const bool   moves    = system.motion().moves(state, problem.targets);
     last_residual         = residual;
@@ -269,7 +206,8 @@ namespace fiberloom
         std::max(shift_over_Er, shift_over_damping * damping.usual_over_Er()) *
           system.stiffness_scale(),
         solution,
-        !has_potential,
+        has_potential ? LinearSolver::Indefinite::shifted :
+                        LinearSolver::Indefinite::accepted,
         linear_tolerance);
     }
     if (parameters.solver.benchmark &&
@@ -282,20 +220,16 @@ namespace fiberloom
           (seconds - statistics.seconds.yardstick) / n_yardsticks;
       }
     ++statistics.newton_iterations;
-    statistics.linear_iterations += outcome.iterations;
-    statistics.factorizations += outcome.factorizations;
-    statistics.seconds.analysis += outcome.analysis;
-    statistics.seconds.factorization += outcome.factorization;
-    statistics.seconds.krylov += outcome.krylov;
+    add(statistics, outcome);
     last_negative_pivots = outcome.negative_pivots;
 
-    const Eigen::VectorXd increment = system.gather(solution);
-    const double          move      = system.motion().largest_move(increment);
+    const Eigen::VectorXd step = system.gather(solution);
+    const double          move = system.motion().largest_move(step);
     if (!std::isfinite(move))
       return Step::failed;
-    double factor = longest_step * damping.relaxation(increment);
+    double factor = longest_step * damping.relaxation(step);
     if (const double limit = parameters.solver.largest_move;
-        limit > 0 && !contact_elements.empty())
+        limit > 0 && !increment.contacts.empty())
       {
         factor = std::min(factor, limit / std::max(move, limit));
         if (moves)
@@ -309,15 +243,15 @@ namespace fiberloom
     if (search_line && !moves && has_potential)
       {
         ScopedTimer  timer(statistics.seconds.assembly);
-        const double found = search_along(state, problem, increment, factor);
+        const double found = search_along(state, problem, step, factor);
         last_cut           = found / factor;
         factor             = found;
       }
     last_factor = factor;
-    damping.remember(factor * increment);
+    damping.remember(factor * step);
     if (in_one_loop)
       damping.follow_fibers(moves ? prescribed_limit : 0);
-    system.motion().advance(state, increment, factor);
+    system.motion().advance(state, step, factor);
     return Step::moved;
   }
 
@@ -343,7 +277,7 @@ namespace fiberloom
             return false;
           case Step::moved:
             // Slender fibers that are few come back by themselves.
-            if (generator.weaves() && penetration.is_thrown(contact_elements))
+            if (generator.weaves() && penetration.is_thrown(increment.contacts))
               return false;
             break;
         }
@@ -356,7 +290,7 @@ namespace fiberloom
   Equilibrium::follows(const Problem &problem) const
   {
     return generator.weaves() && !problem.rule.from_above &&
-           !contact_elements.empty();
+           !increment.contacts.empty();
   }
 
 
@@ -366,10 +300,10 @@ namespace fiberloom
   {
     linear_solver.forget();
     state = problem.before;
-    generate(state, problem);
+    increment.generate(state, problem);
     if (follows(problem) && system.motion().moves(state, problem.targets) &&
-        penetration.stiffen(contact_elements, state.contact.zones))
-      generate(state, problem);
+        penetration.stiffen(increment.contacts, state.contact.zones))
+      increment.generate(state, problem);
   }
 
 
@@ -378,9 +312,9 @@ namespace fiberloom
   Equilibrium::extrapolate(State &state, const Problem &problem)
   {
     begin(state, problem);
-    penetration.remember(contact_elements);
+    penetration.remember(increment.contacts);
     // What does not touch bends freely: turns are too large to go on straight.
-    if (contact_elements.empty())
+    if (increment.contacts.empty())
       return true;
     bool too_far = false; // the last guess there is
     for (const Past *past : {&problem.before.previous, &problem.even})
@@ -396,9 +330,9 @@ namespace fiberloom
           too_far = mesh.is_folded(state.q);
           if (!too_far)
             {
-              generate(state, problem);
-              too_far = penetration.is_thrown(contact_elements);
-              if (!too_far && !contact_elements.empty())
+              increment.generate(state, problem);
+              too_far = penetration.is_thrown(increment.contacts);
+              if (!too_far && !increment.contacts.empty())
                 return true;
             }
           begin(state, problem);
@@ -414,6 +348,8 @@ namespace fiberloom
     folded = false;
     if (!extrapolate(state, problem))
       return false;
+    if (parameters.solver.loops == "newton" && uses_newton(state, problem))
+      return solve_by_newton(state, problem);
 
     const auto one_loop = [&](const double damping) {
       return solve_in_one_loop(state,
@@ -445,14 +381,14 @@ namespace fiberloom
     const Outcome nested = solve_nested(state, problem);
     if (nested == Outcome::converged)
       return true;
-    if (contact_elements.empty())
+    if (increment.contacts.empty())
       return false;
 
     // Frozen normals let soft modes of a tow run away, or never settle. In the
     // damped loop normals follow every iteration: from where slow loops got,
     // else from the last good state, unless it has failed from there.
     const bool goes_on =
-      nested == Outcome::slow && !penetration.is_thrown(contact_elements);
+      nested == Outcome::slow && !penetration.is_thrown(increment.contacts);
     if (goes_on || !loop_first)
       {
         if (!goes_on)
@@ -464,6 +400,41 @@ namespace fiberloom
     // yet given up: it only leads to where the usual one can begin.
     state = problem.before;
     return one_loop(strong_damping) && one_loop(usual_damping);
+  }
+
+
+
+  bool
+  Equilibrium::uses_newton(const State &state, const Problem &problem) const
+  {
+    return !increment.contacts.empty() && !problem.rule.from_above &&
+           !system.motion().moves(state, problem.targets) &&
+           system.has_potential(problem.targets);
+  }
+
+
+
+  bool
+  Equilibrium::solve_by_newton(State &state, const Problem &problem)
+  {
+    Problem following            = problem;
+    following.rule.points_follow = true;
+    for (unsigned int k = 0; k < largest_stiffenings; ++k)
+      {
+        if (!by_newton.solve(state,
+                             following,
+                             parameters.solver.contact_tolerance,
+                             parameters.solver.largest_loop_iterations))
+          return false;
+        last_negative_pivots = by_newton.negative_pivots();
+        folded               = mesh.is_folded(state.q);
+        if (folded)
+          return false;
+        if (!penetration.needs_stiffening(increment.contacts))
+          return true;
+        penetration.stiffen(increment.contacts, state.contact.zones);
+      }
+    return false;
   }
 
 
@@ -486,7 +457,7 @@ namespace fiberloom
          ++pass)
       {
         if (pass > 0)
-          generate(state, problem);
+          increment.generate(state, problem);
         bool                settled = false;
         std::vector<double> residuals; // of the passes on normals
         for (unsigned int normals = 0;
@@ -494,14 +465,14 @@ namespace fiberloom
              ++normals)
           {
             if (normals > 0)
-              update_normals(state, problem);
-            const double residual = measure(state, problem);
-            settled               = residual < tolerance() &&
+              increment.update_normals(state, problem);
+            const double residual = increment.measure(state, problem);
+            settled               = residual < increment.tolerance() &&
                       !system.motion().moves(state, problem.targets);
             if (settled)
               {
                 if (normals == 0 &&
-                    !penetration.needs_stiffening(contact_elements))
+                    !penetration.needs_stiffening(increment.contacts))
                   return Outcome::converged;
                 break;
               }
@@ -510,8 +481,8 @@ namespace fiberloom
                 residual > slow_ratio * residuals[normals - slow_passes])
               return Outcome::slow;
 
-            double inner = tolerance();
-            if (!contact_elements.empty() &&
+            double inner = increment.tolerance();
+            if (!increment.contacts.empty() &&
                 !system.motion().moves(state, problem.targets))
               inner = std::clamp(inner_reduction * residual,
                                  tightest(),
@@ -521,15 +492,15 @@ namespace fiberloom
           }
         if (!settled)
           return Outcome::slow;
-        if (contact_elements.empty())
+        if (increment.contacts.empty())
           {
             // What moved without contact may have come to touch.
-            generate(state, problem);
-            if (contact_elements.empty())
+            increment.generate(state, problem);
+            if (increment.contacts.empty())
               return Outcome::converged;
           }
-        if (penetration.needs_stiffening(contact_elements))
-          penetration.stiffen(contact_elements, state.contact.zones);
+        if (penetration.needs_stiffening(increment.contacts))
+          penetration.stiffen(increment.contacts, state.contact.zones);
       }
     return Outcome::slow;
   }
@@ -546,10 +517,10 @@ namespace fiberloom
     pulls = in_one_loop = false;
     for (unsigned int i = 0; i < n; ++i)
       {
-        generate(state, problem);
+        increment.generate(state, problem);
         if (newton_step(state,
                         problem,
-                        tolerance(),
+                        increment.tolerance(),
                         i >= shrinking_search_from) != Step::moved)
           return;
       }
@@ -570,7 +541,7 @@ namespace fiberloom
     std::vector<double> residuals;
     unsigned int        stiffenings = 0, since_stiffening = 0;
     const auto          stiffen = [&]() {
-      penetration.stiffen(contact_elements, state.contact.zones);
+      penetration.stiffen(increment.contacts, state.contact.zones);
       ++stiffenings;
       since_stiffening = 0;
     };
@@ -585,15 +556,16 @@ namespace fiberloom
     for (; gets_on() && stiffenings < largest_stiffenings; ++since_stiffening)
       {
         longest_step = goes_round(residuals) ? .5 : 1;
-        generate(state, problem);
+        increment.generate(state, problem);
         damping.follow(residuals);
-        const Step step = newton_step(state, problem, tolerance(), true);
-        longest_step    = 1;
+        const Step step =
+          newton_step(state, problem, increment.tolerance(), true);
+        longest_step = 1;
         residuals.push_back(last_residual);
         switch (step)
           {
             case Step::converged:
-              if (!penetration.needs_stiffening(contact_elements))
+              if (!penetration.needs_stiffening(increment.contacts))
                 return true;
               stiffen();
               break;
@@ -602,11 +574,12 @@ namespace fiberloom
             case Step::moved:
               damping.follow_cut(last_cut);
               // What has only been hit in passing needs no stiffness.
-              if (last_residual < std::min(stiffening_from * tolerance(),
-                                           loosest_stiffening) &&
+              if (last_residual <
+                    std::min(stiffening_from * increment.tolerance(),
+                             loosest_stiffening) &&
                   !system.motion().moves(state, problem.targets) &&
                   since_stiffening >= least_between &&
-                  penetration.needs_stiffening(contact_elements))
+                  penetration.needs_stiffening(increment.contacts))
                 stiffen();
               break;
           }

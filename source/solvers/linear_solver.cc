@@ -190,7 +190,7 @@ namespace fiberloom
                       const std::vector<double> &damping,
                       const double               shift_unit,
                       std::vector<double>       &solution,
-                      const bool                 may_be_indefinite,
+                      const Indefinite           indefinite,
                       const double               tolerance)
   {
     Outcome outcome;
@@ -202,8 +202,8 @@ namespace fiberloom
     const Epetra_Map &map = matrix.OperatorRangeMap();
     Epetra_Vector b(Copy, map, const_cast<double *>(right_hand_side.data()));
     Epetra_Vector x(View, map, solution.data());
-    if (multigrid && solve_by_multigrid(
-                       matrix, b, shift_unit, x, may_be_indefinite, outcome))
+    if (multigrid &&
+        solve_by_multigrid(matrix, b, shift_unit, x, indefinite, outcome))
       return outcome;
     if (blocks && solve_by_blocks(matrix, b, x, outcome))
       return outcome;
@@ -217,14 +217,12 @@ namespace fiberloom
     };
     if (sections)
       {
-        if (solve_by_sections(
-              matrix, q, b, shift_unit, x, may_be_indefinite, outcome))
+        if (solve_by_sections(matrix, q, b, shift_unit, x, indefinite, outcome))
           return outcome;
         give_way_to(precision);
       }
     const auto solve_by_current_factor = [&]() {
-      return solve_by_factor(
-        matrix, b, shift_unit, x, may_be_indefinite, outcome);
+      return solve_by_factor(matrix, b, shift_unit, x, indefinite, outcome);
     };
     if (!solve_by_current_factor())
       {
@@ -237,12 +235,57 @@ namespace fiberloom
 
 
   bool
+  LinearSolver::solve_again(BlockMatrix               &matrix,
+                            const std::vector<double> &right_hand_side,
+                            const double               tolerance,
+                            std::vector<double>       &solution,
+                            Outcome                   &outcome)
+  {
+    solution.resize(right_hand_side.size());
+    const Epetra_Map &map = matrix.OperatorRangeMap();
+    Epetra_Vector b(Copy, map, const_cast<double *>(right_hand_side.data()));
+    Epetra_Vector x(View, map, solution.data());
+    if (multigrid)
+      return iterate(
+        matrix, multigrid->preconditioner(), b, x, tolerance, outcome);
+    if (sections)
+      return iterate(matrix,
+                     *sections,
+                     b,
+                     x,
+                     tolerance,
+                     outcome,
+                     false,
+                     largest_section_cycles);
+    FactorPreconditioner preconditioner(*factor, matrix);
+    return iterate(matrix, preconditioner, b, x, tolerance, outcome);
+  }
+
+
+
+  bool
+  LinearSolver::solve_coupled(BlockMatrix               &matrix,
+                              const std::vector<double> &right_hand_side,
+                              const double               tolerance,
+                              std::vector<double>       &solution,
+                              Outcome                   &outcome)
+  {
+    matrix.use_outer_products(true);
+    const bool found =
+      solve_again(matrix, right_hand_side, tolerance, solution, outcome);
+    matrix.use_outer_products(false);
+    return found;
+  }
+
+
+
+  bool
   LinearSolver::solve_by_sections(BlockMatrix           &matrix,
                                   const Eigen::VectorXd &q,
                                   Epetra_Vector         &b,
                                   const double           shift_unit,
                                   Epetra_Vector         &x,
-                                  const bool             may_be_indefinite,
+                                  const Indefinite       indefinite,
                                   Outcome               &outcome)
   {
     {
@@ -258,7 +301,10 @@ namespace fiberloom
         });
         if (attempt == 0)
           outcome.negative_pivots = negative_pivots;
-        if (negative_pivots < 0 || (negative_pivots > 0 && !may_be_indefinite))
+        if (negative_pivots != 0 && indefinite == Indefinite::refused)
+          return true;
+        if (negative_pivots < 0 ||
+            (negative_pivots > 0 && indefinite == Indefinite::shifted))
           continue;
         if (!iterate(matrix,
                      *sections,
@@ -271,14 +317,14 @@ namespace fiberloom
           {
             // Nearly singular: more damping helps a damped step, and is far
             // cheaper than a factor of the whole.
-            if (dropped == 0 || may_be_indefinite)
+            if (dropped == 0 || indefinite != Indefinite::shifted)
               return false;
             continue;
           }
         // Motions and strains may both be definite where the whole is not.
         double slope;
         x.Dot(b, &slope);
-        if (slope >= 0 || may_be_indefinite)
+        if (slope >= 0 || indefinite != Indefinite::shifted)
           return true;
       }
     return false;
@@ -287,12 +333,12 @@ namespace fiberloom
 
 
   bool
-  LinearSolver::solve_by_factor(BlockMatrix   &matrix,
-                                Epetra_Vector &b,
-                                const double   shift_unit,
-                                Epetra_Vector &x,
-                                const bool     may_be_indefinite,
-                                Outcome       &outcome)
+  LinearSolver::solve_by_factor(BlockMatrix     &matrix,
+                                Epetra_Vector   &b,
+                                const double     shift_unit,
+                                Epetra_Vector   &x,
+                                const Indefinite indefinite,
+                                Outcome         &outcome)
   {
     const bool in_single =
       precision == DirectFactor::Precision::single_precision;
@@ -306,7 +352,10 @@ namespace fiberloom
           timed(outcome, [&]() { return factor->factorize(matrix); });
         if (attempt == 0)
           outcome.negative_pivots = negative_pivots;
-        if (negative_pivots == 0 || (negative_pivots > 0 && may_be_indefinite))
+        if (negative_pivots != 0 && indefinite == Indefinite::refused)
+          return true;
+        if (negative_pivots == 0 ||
+            (negative_pivots > 0 && indefinite == Indefinite::accepted))
           break;
         if (in_single && attempt == largest_single_shifts)
           return false;
@@ -332,12 +381,12 @@ namespace fiberloom
 
 
   bool
-  LinearSolver::solve_by_multigrid(BlockMatrix   &matrix,
-                                   Epetra_Vector &b,
-                                   const double   shift_unit,
-                                   Epetra_Vector &x,
-                                   const bool     may_be_indefinite,
-                                   Outcome       &outcome)
+  LinearSolver::solve_by_multigrid(BlockMatrix     &matrix,
+                                   Epetra_Vector   &b,
+                                   const double     shift_unit,
+                                   Epetra_Vector   &x,
+                                   const Indefinite indefinite,
+                                   Outcome         &outcome)
   {
     outcome.negative_pivots = -1;
     for (unsigned int attempt = 0;; ++attempt)
@@ -355,7 +404,7 @@ namespace fiberloom
           return false;
         double slope;
         x.Dot(b, &slope);
-        if (slope >= 0 || may_be_indefinite)
+        if (slope >= 0 || indefinite != Indefinite::shifted)
           return true;
         shift_more(matrix, attempt, shift_unit, outcome);
       }
@@ -400,6 +449,18 @@ namespace fiberloom
       sections->forget();
     if (blocks)
       blocks->forget();
+  }
+
+
+
+  void
+  add(StageStatistics &statistics, const LinearSolver::Outcome &outcome)
+  {
+    statistics.linear_iterations += outcome.iterations;
+    statistics.factorizations += outcome.factorizations;
+    statistics.seconds.analysis += outcome.analysis;
+    statistics.seconds.factorization += outcome.factorization;
+    statistics.seconds.krylov += outcome.krylov;
   }
 
 

@@ -133,9 +133,14 @@ namespace fiberloom
     // Friction starts where the fibers are now: nothing is locked in.
     problem.rule = ContactRule();
     equilibrium.iterate(state, problem, frictionless_iterations, damping);
+    const bool by_newton = scene.parameters.solver.loops == "newton";
+    if (by_newton && !equilibrium.solve_by_newton(state, problem))
+      return false;
     const State          reference = state;
     Equilibrium::Problem end{reference, problem.targets, {}};
     end.rule.friction = scene.parameters.contact.friction_coefficient > 0;
+    if (by_newton)
+      return equilibrium.solve_by_newton(state, end);
     return equilibrium.solve_in_one_loop(
       state, end, scene.parameters.solver.largest_loop_iterations, damping);
   }

@@ -206,7 +206,8 @@ namespace fiberloom
 
   struct SolverParameters
   {
-    double contact_tolerance =
+    std::string loops = "damped"; // damped | newton
+    double      contact_tolerance =
       0; // over the largest contact force; automatic: by accuracy
     double newton_tolerance =
       1e-8; // where there is no contact, over the internal forces

@@ -29,6 +29,24 @@ namespace fiberloom
                           weights; // shape functions at the points
     std::array<double, 2> radii;   // [mm]
 
+    /**
+     * How the two points follow the fibers: not at all, or so that they stay
+     * on the plane across the intermediate geometry through a material point
+     * of the first fiber, or where the fibers are closest.
+     */
+    enum class Points
+    {
+      fixed,
+      on_plane,
+      closest
+    };
+    Points following   = Points::fixed;
+    int    orientation = 1;                // closest: side of the zone,
+                                           // on plane: sign of t1 . t2
+    std::array<double, 2> u    = {{0, 0}}; // of the points that follow
+    bool                  lost = false;    // their points are beyond finding
+    bool predicted = false; // to close in this step: linear from where it is
+
     // normal contact
     Vector3 normal;    // unit, from the second fiber to the first
     double  offset;    // added to the gap: overlap that is still allowed [mm]
@@ -40,8 +58,9 @@ namespace fiberloom
     double approach_force = 0;      // that what closes meets in the tangent [N]
 
     // friction; a limit of 0 means none
-    double  friction_limit; // mu f* [N]
-    double  elastic_slip;   // [mm]
+    double  friction_limit;          // mu f* [N]
+    double  normal_force_before = 0; // f* [N]
+    double  elastic_slip;            // [mm]
     Vector3 slip_before; // reversible slip at the start of the increment [mm]
     Vector3 separation_before; // of the two particles then [mm]
     std::array<std::array<double, 2>, 2>

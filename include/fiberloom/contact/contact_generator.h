@@ -28,6 +28,7 @@ namespace fiberloom
     bool   from_above      = false;
     double allowed_overlap = 0; // of crossing tows, if from above [mm]
     bool   friction        = false;
+    bool   points_follow   = false; // see ContactElement::Points
   };
 
   /**
@@ -110,6 +111,15 @@ namespace fiberloom
     new_element(const unsigned int   zone,
                 const ParameterPair &u,
                 const ContactState  &state) const;
+
+    void
+    place_at(ContactElement &contact, const ParameterPair &u) const;
+
+    /** Where fibers are not crossed from above. */
+    void
+    let_points_follow(std::vector<ContactElement> &contacts,
+                      const DofVector             &q,
+                      const ContactState          &state) const;
 
     /** This rank's part of these; as the next one. */
     void

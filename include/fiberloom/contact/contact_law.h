@@ -104,6 +104,17 @@ namespace fiberloom
                    SectionPair       &residual,
                    SectionPair2      *tangent);
 
+  /** The part of the energy that friction stores and loses. */
+  double
+  friction_energy(const ContactElement &contact, const SectionPair &x);
+
+  /** As evaluate_contact(), friction alone. */
+  void
+  evaluate_friction(ContactElement    &contact,
+                    const SectionPair &x,
+                    SectionPair       &residual,
+                    SectionPair2      *tangent);
+
   /** Places the particles where the sections' supports are attained. */
   void
   place_particles(ContactElement &contact, const SectionPair &x);

@@ -8,10 +8,13 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <Eigen/Core>
+
 #include <Epetra_Import.h>
 #include <Epetra_Map.h>
 #include <Epetra_Operator.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -55,6 +58,34 @@ namespace fiberloom
     /** The least of what that adds to displacements. */
     double
     least_addition(const std::vector<double> &values) const;
+
+    /**
+     * Adds row * column^T, given on @p blocks , to products, and to nothing
+     * else: what makes the matrix unsymmetric is no part of its factor. All
+     * blocks are coupled to the owned ones among them in the pattern.
+     */
+    void
+    add_outer_product(const std::vector<unsigned int> &blocks,
+                      const Eigen::VectorXd           &row,
+                      const Eigen::VectorXd           &column);
+
+    void
+    remove_outer_products();
+
+    /** Collective. */
+    bool
+    has_outer_products() const
+    {
+      return dealii::Utilities::MPI::max(int(!outer_products.empty()),
+                                         numbering.communicator()) == 1;
+    }
+
+    /** Whether products have these parts. */
+    void
+    use_outer_products(const bool used)
+    {
+      outer_products_used = used;
+    }
 
     /** Where the block (row, column) is stored, row by row; the row is owned.
      */
@@ -168,6 +199,14 @@ namespace fiberloom
     bool
     covers(const std::vector<std::vector<unsigned int>> &columns) const;
 
+    struct OuterProduct
+    {
+      std::vector<std::array<unsigned int, 3>>
+        rows; // owned: where in the result, where in the vector, size
+      std::vector<std::array<unsigned int, 3>> columns; // the same, imported
+      Eigen::VectorXd                          row, column;
+    };
+
     const BlockLayout &numbering;
     const double       lever, matrix_weight;
     Epetra_Map         owned_map;
@@ -181,6 +220,10 @@ namespace fiberloom
     std::unique_ptr<Epetra_Map>            column_map;
     std::unique_ptr<Epetra_Import>         importer;
     std::vector<std::vector<unsigned int>> column_positions;
+    std::vector<unsigned int>              position_of_block;
+
+    std::vector<OuterProduct> outer_products;
+    bool                      outer_products_used = false;
   };
 } // namespace fiberloom
 

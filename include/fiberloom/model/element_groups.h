@@ -7,6 +7,7 @@
 #include <fiberloom/beams/beam_element.h>
 
 #include <fiberloom/contact/contact_law.h>
+#include <fiberloom/contact/contact_potential.h>
 
 #include <fiberloom/model/block_layout.h>
 #include <fiberloom/model/composite.h>
@@ -72,6 +73,33 @@ namespace fiberloom
     {
       return (weights[a] * weights[b]) *
              tangent.block<9, 9>(9 * (a / 3), 9 * (b / 3));
+    }
+  };
+
+  /** That of one whose points follow the fibers. */
+  struct PotentialGroup
+  {
+    ContactPotential          potential;
+    std::vector<unsigned int> nodes;
+
+    void
+    set_nodes()
+    {
+      nodes.assign(potential.nodes.begin(),
+                   potential.nodes.begin() + potential.n);
+    }
+
+    Eigen::Matrix<double, 9, 1>
+    force(const unsigned int a) const
+    {
+      return potential.value[a] *
+             potential.residual.segment<9>(9 * potential.fiber[a]);
+    }
+
+    Eigen::Matrix<double, 9, 9>
+    stiffness(const unsigned int a, const unsigned int b) const
+    {
+      return potential.block(a, b);
     }
   };
 

@@ -5,6 +5,7 @@
 #define fiberloom_model_system_h
 
 #include <fiberloom/contact/contact_element.h>
+#include <fiberloom/contact/contact_potential.h>
 
 #include <fiberloom/coupling/rigid_body.h>
 
@@ -21,6 +22,8 @@ namespace fiberloom
   using RigidModes = std::array<std::vector<double>, 6>;
 
   struct JunctionGroup;
+  struct ContactGroup;
+  struct PotentialGroup;
 
   /**
    * The equations of one stage: fibers, contacts, rigid bodies and, where there
@@ -56,6 +59,31 @@ namespace fiberloom
     assemble(const State                 &state,
              const Targets               &targets,
              std::vector<ContactElement> &contacts);
+
+    /**
+     * Adds the @p closing ones of @p contacts , which are predicted to close,
+     * to the system that was assembled last: their tangent, and their force to
+     * the right hand side.
+     */
+    void
+    add_closing(const State                     &state,
+                std::vector<ContactElement>     &contacts,
+                const std::vector<unsigned int> &closing);
+
+    /** Of contacts whose points follow the fibers, in what is assembled. */
+    void
+    set_curvature(const Curvature of_contacts)
+    {
+      curvature = of_contacts;
+    }
+
+    /** Whether products of the tangent know that limits of friction follow the
+     * normal forces. */
+    void
+    couple_limits(const bool couple)
+    {
+      couples_limits = couple;
+    }
 
     /** Residual alone. */
     void
@@ -124,6 +152,10 @@ namespace fiberloom
       return rhs;
     }
 
+    /** What is out of balance, the owned dofs; zero where they are fixed. */
+    std::vector<double>
+    free_residual() const;
+
     /**
      * The whole increment from the solution of the linear system (owned part)
      * on every rank, prescribed increments included.
@@ -162,6 +194,19 @@ namespace fiberloom
     assemble_all(const State                 &state,
                  const Targets               &targets,
                  std::vector<ContactElement> &contacts);
+
+    /** Of one whose points follow the fibers. */
+    template <bool with_tangent>
+    void
+    add_contact(const State    &state,
+                ContactElement &contact,
+                PotentialGroup &normal);
+
+    void
+    couple_limit(const State          &state,
+                 const ContactElement &contact,
+                 const ContactGroup   &friction,
+                 const PotentialGroup &normal);
 
     template <bool with_tangent>
     void
@@ -207,6 +252,8 @@ namespace fiberloom
     BlockMatrix      system_matrix;
 
     double                                 stiffness;
+    Curvature                              curvature      = Curvature::exact;
+    bool                                   couples_limits = false;
     std::vector<std::vector<unsigned int>> element_pattern; // owned rows
 
     std::vector<double>     residual; // owned dofs

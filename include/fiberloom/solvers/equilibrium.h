@@ -11,11 +11,12 @@
 #include <fiberloom/model/system.h>
 
 #include <fiberloom/solvers/damping.h>
+#include <fiberloom/solvers/increment.h>
 #include <fiberloom/solvers/linear_solver.h>
+#include <fiberloom/solvers/newton.h>
 #include <fiberloom/solvers/penetration.h>
 
 #include <array>
-#include <functional>
 #include <vector>
 
 namespace fiberloom
@@ -33,15 +34,8 @@ namespace fiberloom
   class Equilibrium
   {
   public:
-    /** Where the loops are. */
-    struct Progress
-    {
-      double residual; // over its scale
-      double damping;  // over E r
-      double factor;   // of the step that led here
-    };
-
-    using Watch = std::function<void(const Progress &)>;
+    using Progress = Newton::Progress;
+    using Watch    = Newton::Watch;
 
     /**
      * References are kept. @p watch is called before each Newton iteration
@@ -54,16 +48,7 @@ namespace fiberloom
                 StageStatistics  &statistics,
                 Watch             watch);
 
-    /** What an increment is asked to satisfy. */
-    struct Problem
-    {
-      const State &before; // the last accepted state
-      Targets      targets;
-      ContactRule  rule;
-      double       least_scale = 0;  // of the residual [N]
-      double       load_step   = 0;  // none: not to be cut
-      Past         even        = {}; // another one to come from, see Stage
-    };
+    using Problem = fiberloom::Problem;
 
     /**
      * Moves @p state , which is the last accepted one, to equilibrium by the
@@ -87,6 +72,13 @@ namespace fiberloom
                       const unsigned int largest_iterations,
                       const double       damping);
 
+    /**
+     * From @p state , whose contacts have been generated, by Newton's method;
+     * zones in which fibers are too deep are stiffened in between.
+     */
+    bool
+    solve_by_newton(State &state, const Problem &problem);
+
     /** Over E r, to be tried one after the other. */
     std::array<double, 2>
     dampings() const;
@@ -102,13 +94,13 @@ namespace fiberloom
     const std::vector<ContactElement> &
     contacts() const
     {
-      return contact_elements;
+      return increment.contacts;
     }
 
     double
     largest_penetration() const // over the radius
     {
-      return penetration.largest(contact_elements);
+      return penetration.largest(increment.contacts);
     }
 
     /** Of the last tangent that was factorised, before it was shifted; -1 if
@@ -127,16 +119,6 @@ namespace fiberloom
     }
 
   private:
-    void
-    generate(State &state, const Problem &problem);
-
-    void
-    update_normals(const State &state, const Problem &problem);
-
-    /** Residual over its scale, from scratch. */
-    double
-    measure(const State &state, const Problem &problem);
-
     bool
     newton(State &state, const Problem &problem, const double tolerance);
 
@@ -156,7 +138,7 @@ namespace fiberloom
     double
     search_along(const State           &state,
                  const Problem         &problem,
-                 const Eigen::VectorXd &increment,
+                 const Eigen::VectorXd &step,
                  const double           factor) const;
 
     enum class Outcome
@@ -165,6 +147,10 @@ namespace fiberloom
       slow, // towards equilibrium, but not fast enough
       failed
     };
+
+    /** Whether fibers touch at @p state , and what is asked has a potential. */
+    bool
+    uses_newton(const State &state, const Problem &problem) const;
 
     /** Whether normals follow every iteration from the first one on. */
     bool
@@ -188,31 +174,26 @@ namespace fiberloom
     Outcome
     solve_nested(State &state, const Problem &problem);
 
-    double
-    residual_scale(const Problem &problem) const;
-
-    double
-    tolerance() const;
-
     /** The tightest that Newton's method is asked for in an outer loop. */
     double
     tightest() const;
 
-    const FiberMesh            &mesh;
-    const Parameters           &parameters;
-    ContactGenerator           &generator;
-    System                     &system;
-    LinearSolver                linear_solver;
-    StageStatistics            &statistics;
-    Watch                       watch;
-    std::vector<ContactElement> contact_elements;
-    Damping                     damping;
-    Penetration                 penetration;
-    double                      last_factor   = 1; // of a Newton step
-    double                      last_residual = 0; // before it
-    double                      longest_step  = 1;
-    bool                        in_one_loop   = false;
-    bool                        pulls         = false; // in that loop
+    const FiberMesh  &mesh;
+    const Parameters &parameters;
+    ContactGenerator &generator;
+    System           &system;
+    LinearSolver      linear_solver;
+    StageStatistics  &statistics;
+    Watch             watch;
+    Increment         increment;
+    Damping           damping;
+    Newton            by_newton;
+    Penetration       penetration;
+    double            last_factor   = 1; // of a Newton step
+    double            last_residual = 0; // before it
+    double            longest_step  = 1;
+    bool              in_one_loop   = false;
+    bool              pulls         = false; // in that loop
 
     // Of steps that move bodies, over the radius.
     double prescribed_limit;

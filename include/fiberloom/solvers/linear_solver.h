@@ -4,6 +4,8 @@
 #ifndef fiberloom_solvers_linear_solver_h
 #define fiberloom_solvers_linear_solver_h
 
+#include <fiberloom/base/statistics.h>
+
 #include <fiberloom/solvers/block_preconditioner.h>
 #include <fiberloom/solvers/direct_factor.h>
 #include <fiberloom/solvers/multigrid.h>
@@ -44,6 +46,15 @@ namespace fiberloom
      * blocks or multigrid. The system is kept by reference. */
     LinearSolver(const System &system, const std::string &name);
 
+    /** What becomes of an indefinite matrix: it is shifted until it is not,
+     * solved as it is, or nothing is solved. */
+    enum class Indefinite
+    {
+      shifted,
+      accepted,
+      refused
+    };
+
     struct Outcome
     {
       unsigned int iterations      = 0;
@@ -59,9 +70,9 @@ namespace fiberloom
      * @p q : where the fibers are. @p solution : the owned part, resized.
      * @p damping , one value for each
      * block, is added to the diagonal of @p matrix in any case, @p shift_unit
-     * is the smallest shift to be tried where that is indefinite [N/mm] unless
-     * it may be. The residual is reduced to @p tolerance times the right hand
-     * side. Throws StageFailure if no shift helps.
+     * is the smallest shift to be tried where that is indefinite [N/mm]. The
+     * residual is reduced to @p tolerance times the right hand side. Throws
+     * StageFailure if no shift helps.
      */
     Outcome
     solve(BlockMatrix               &matrix,
@@ -70,8 +81,25 @@ namespace fiberloom
           const std::vector<double> &damping,
           const double               shift_unit,
           std::vector<double>       &solution,
-          const bool                 may_be_indefinite = false,
-          const double               tolerance         = 1e-9);
+          const Indefinite           indefinite = Indefinite::shifted,
+          const double               tolerance  = 1e-9);
+
+    /** The last system with another right hand side, around the same factor.
+     * False where that does not converge. */
+    bool
+    solve_again(BlockMatrix               &matrix,
+                const std::vector<double> &right_hand_side,
+                const double               tolerance,
+                std::vector<double>       &solution,
+                Outcome                   &outcome);
+
+    /** The same, with the outer products of @p matrix . */
+    bool
+    solve_coupled(BlockMatrix               &matrix,
+                  const std::vector<double> &right_hand_side,
+                  const double               tolerance,
+                  std::vector<double>       &solution,
+                  Outcome                   &outcome);
 
     /** What was kept of earlier systems to save time: from here on, a run that
      * is restarted does the same as one that goes on. */
@@ -97,25 +125,25 @@ namespace fiberloom
                       Epetra_Vector         &b,
                       const double           shift_unit,
                       Epetra_Vector         &x,
-                      const bool             may_be_indefinite,
+                      const Indefinite       indefinite,
                       Outcome               &outcome);
 
     /** Adds to @p outcome ; false where the factor is too coarse. */
     bool
-    solve_by_factor(BlockMatrix   &matrix,
-                    Epetra_Vector &b,
-                    const double   shift_unit,
-                    Epetra_Vector &x,
-                    const bool     may_be_indefinite,
-                    Outcome       &outcome);
+    solve_by_factor(BlockMatrix     &matrix,
+                    Epetra_Vector   &b,
+                    const double     shift_unit,
+                    Epetra_Vector   &x,
+                    const Indefinite indefinite,
+                    Outcome         &outcome);
 
     bool
-    solve_by_multigrid(BlockMatrix   &matrix,
-                       Epetra_Vector &b,
-                       const double   shift_unit,
-                       Epetra_Vector &x,
-                       const bool     may_be_indefinite,
-                       Outcome       &outcome);
+    solve_by_multigrid(BlockMatrix     &matrix,
+                       Epetra_Vector   &b,
+                       const double     shift_unit,
+                       Epetra_Vector   &x,
+                       const Indefinite indefinite,
+                       Outcome         &outcome);
 
     /** Whether that came to its end with a descent. */
     bool
@@ -135,6 +163,9 @@ namespace fiberloom
     std::unique_ptr<BlockPreconditioner>   blocks;    // or null
     std::unique_ptr<Multigrid>             multigrid; // or null
   };
+
+  void
+  add(StageStatistics &statistics, const LinearSolver::Outcome &outcome);
 } // namespace fiberloom
 
 #endif

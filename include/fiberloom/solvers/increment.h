@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_solvers_increment_h
+#define fiberloom_solvers_increment_h
+
+#include <fiberloom/base/statistics.h>
+
+#include <fiberloom/contact/contact_generator.h>
+
+#include <fiberloom/model/system.h>
+
+#include <vector>
+
+namespace fiberloom
+{
+  struct SolverParameters;
+
+  /** What an increment is asked to satisfy. */
+  struct Problem
+  {
+    const State &before; // the last accepted state
+    Targets      targets;
+    ContactRule  rule;
+    double       least_scale = 0;  // of the residual [N]
+    double       load_step   = 0;  // none: not to be cut
+    Past         even        = {}; // another one to come from, see Stage
+  };
+
+  /**
+   * An increment's equations with the contacts of its present state, and how
+   * far they are from balance.
+   */
+  class Increment
+  {
+  public:
+    /** References are kept. */
+    Increment(const FiberMesh        &mesh,
+              const SolverParameters &parameters,
+              ContactGenerator       &generator,
+              System                 &system,
+              StageStatistics        &statistics);
+
+    /** Contacts anew at @p state , and the pattern of the system. */
+    void
+    generate(State &state, const Problem &problem);
+
+    /** Normals, particles and friction limits of these contacts. */
+    void
+    update_normals(const State &state, const Problem &problem);
+
+    /** Residual and tangent. */
+    void
+    assemble(const State &state, const Problem &problem);
+
+    /** Residual alone, over its scale. */
+    double
+    measure(const State &state, const Problem &problem);
+
+    /** Of what was assembled last. */
+    double
+    residual(const Problem &problem) const;
+
+    /** The largest contact force or, without contact, force inside [N]. */
+    double
+    scale(const Problem &problem) const;
+
+    /** Below which the increment is in balance. */
+    double
+    tolerance() const;
+
+    std::vector<ContactElement> contacts;
+
+  private:
+    const FiberMesh        &mesh;
+    const SolverParameters &parameters;
+    ContactGenerator       &generator;
+    System                 &system;
+    StageStatistics        &statistics;
+  };
+} // namespace fiberloom
+
+#endif

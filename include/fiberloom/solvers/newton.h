@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_solvers_newton_h
+#define fiberloom_solvers_newton_h
+
+#include <fiberloom/solvers/increment.h>
+#include <fiberloom/solvers/linear_solver.h>
+
+#include <functional>
+#include <vector>
+
+namespace fiberloom
+{
+  /**
+   * Newton's method on the incremental potential of fibers, contacts whose
+   * points follow them, friction with limits of an earlier iterate, matrix and
+   * loads. Steps are judged by energy; section 4.2 of the theory has the
+   * algorithm.
+   *
+   * Soft fibers slide along a curved valley between stiff ones. A step along
+   * it is followed by corrections with the factor at hand, which lead back to
+   * its floor, and contacts that a step would close take part in it. Where the
+   * Hessian is indefinite, that of contacts loses what makes it so. Near the
+   * end friction's limits follow the normal forces within the linear system.
+   */
+  class Newton
+  {
+  public:
+    /** Where the method is. */
+    struct Progress
+    {
+      double residual; // over its scale
+      double damping;  // over E r
+      double factor;   // of the step that led here
+    };
+
+    using Watch = std::function<void(const Progress &)>;
+
+    /** References are kept. @p largest_move : of a step, over the radius; 0:
+     * unlimited. @p watch is called before each iteration and may throw. */
+    Newton(const FiberMesh &mesh,
+           System          &system,
+           LinearSolver    &linear_solver,
+           StageStatistics &statistics,
+           Increment       &increment,
+           const double     largest_move,
+           Watch            watch);
+
+    /**
+     * Moves @p state , in which prescribed dofs are at their targets and
+     * contacts have been generated, to equilibrium: everything generated
+     * anew, the residual is below @p tolerance times its scale. False, with
+     * @p state spoilt, where @p most iterations do not lead there.
+     */
+    bool
+    solve(State             &state,
+          const Problem     &problem,
+          const double       tolerance,
+          const unsigned int most);
+
+    /** Of the last exact tangent; -1 if its factorisation failed. */
+    int
+    negative_pivots() const
+    {
+      return last_negative_pivots;
+    }
+
+  private:
+    /** A step in all dofs. */
+    struct Step
+    {
+      Eigen::VectorXd increment;
+      double          slope = 0; // of the energy along it [N mm]
+      double          move  = 0; // largest, over the radius
+    };
+
+    void
+    refresh(State &state, const Problem &problem);
+
+    /** Whether the fully regenerated problem is in balance; assembled anew
+     * where it is not. */
+    bool
+    is_at_rest(State &state, const Problem &problem, const double tolerance);
+
+    void
+    assemble(const State    &state,
+             const Problem  &problem,
+             const Curvature curvature);
+
+    /** False where the matrix stays indefinite or the step is not finite. */
+    bool
+    find_step(const State   &state,
+              const Problem &problem,
+              const double   tolerance,
+              Step          &step);
+
+    /** What the system that was assembled last leads to. */
+    bool
+    solve_linear(const State                   &state,
+                 const double                   tolerance,
+                 const double                   damping,
+                 const LinearSolver::Indefinite indefinite,
+                 Step                          &step);
+
+    /** Contacts that @p step closes take part in the system; how many. */
+    unsigned int
+    predict_closing(const State   &state,
+                    const Problem &problem,
+                    const Step    &step);
+
+    /** A step whose friction limits follow, if that brings the regenerated
+     * problem nearer to balance. */
+    bool
+    take_coupled_step(State &state, const Problem &problem);
+
+    /** Down the energy along @p step and back to the valley's floor. */
+    void
+    descend(State &state, const Problem &problem, const Step &step);
+
+    /** Adds corrections to @p moved as long as they lower its energy, which is
+     * returned. */
+    double
+    correct(const State   &state,
+            const Problem &problem,
+            const Step    &step,
+            const double   factor,
+            const double   energy,
+            State         &moved);
+
+    /** @p state moved by @p factor times @p increment . */
+    State
+    moved(const State           &state,
+          const Eigen::VectorXd &increment,
+          const double           factor) const;
+
+    /** Of the potential less the work of dead loads since @p from . */
+    double
+    energy(const State &from, const State &at, const Problem &problem) const;
+
+    /** Part of @p step that does not move fibers too far. */
+    double
+    longest(const Step &step) const;
+
+    const FiberMesh &mesh;
+    System          &system;
+    LinearSolver    &linear_solver;
+    StageStatistics &statistics;
+    Increment       &increment;
+    const double     largest_move;
+    Watch            watch;
+
+    DofVector           generated_at;
+    std::vector<double> gradient; // with the sign of a right hand side
+    bool                is_exact     = true; // the tangent of this iteration
+    bool                trusted      = true; // the model of the last one
+    double              damping      = 0;    // over E r
+    double              residual     = 0;    // over its scale
+    double              lagged       = 0;    // that, when limits were last set
+    double              coupled_from = 0, coupled_residual = 0;
+    double              last_factor          = 1;
+    int                 last_negative_pivots = 0;
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/contact/contact_potential.h>
+#include <fiberloom/contact/contact_scalars.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiberloom
+{
+  namespace
+  {
+    using Nine   = Eigen::Matrix<double, 9, 1>;
+    using Points = ContactElement::Points;
+
+    /** By the sections: d is the difference of the centres. */
+    SectionPair
+    by_sections(const Vector15 &v)
+    {
+      SectionPair x;
+      x << v.head<3>(), v.segment<6>(3), -v.head<3>(), v.tail<6>();
+      return x;
+    }
+
+    SectionPair2
+    by_sections(const Matrix15 &v)
+    {
+      constexpr std::array<unsigned int, 6> from{{0, 3, 6, 0, 9, 12}};
+      SectionPair2                          x;
+      for (unsigned int i = 0; i < 6; ++i)
+        for (unsigned int j = 0; j < 6; ++j)
+          x.block<3, 3>(3 * i, 3 * j) =
+            ((i == 3) != (j == 3) ? -1. : 1.) * v.block<3, 3>(from[i], from[j]);
+      return x;
+    }
+
+    /** The energy as a function of gap and spread. */
+    struct NormalLaw
+    {
+      LawValue value;
+      Spread   spread;
+
+      /** A gap that will close counts as if a linear penalty began here. */
+      NormalLaw(const ContactElement &contact,
+                const double          gap,
+                const double          cosine)
+        : spread(contact, cosine)
+      {
+        constexpr double depth = .02; // over the radius, of its stiffness
+        const auto       law   = [&](const double penetration) {
+          return contact.following == Points::closest ?
+                           crossing_law(penetration,
+                                contact.stiffness * spread.value,
+                                contact.regularization) :
+                           normal_law(penetration,
+                              contact.stiffness * contact.length,
+                              contact.regularization);
+        };
+        value = law(-gap);
+        if (contact.predicted && gap > 0)
+          {
+            const double k =
+              law(depth * std::min(contact.radii[0], contact.radii[1]))
+                .derivative;
+            value = {.5 * k * gap * gap, -k * gap, k};
+          }
+        if (contact.following == Points::on_plane)
+          spread.first = spread.second = 0;
+        spread.first /= spread.value;
+        spread.second /= spread.value;
+      }
+    };
+
+    void
+    store(ContactElement      &contact,
+          const Configuration &c,
+          const double         gap,
+          const LawValue      &law)
+    {
+      contact.gap          = gap;
+      contact.normal_force = std::max(0., law.force);
+      contact.status       = law.force > 0 ? ContactElement::Status::stick :
+                                             ContactElement::Status::open;
+      contact.normal       = c.sign(contact) * c.d.normalized();
+    }
+
+    void
+    set_nodes(const PointPair &points, ContactPotential &potential)
+    {
+      potential.n = 0;
+      for (unsigned int s = 0; s < 2; ++s)
+        for (unsigned int a = 0; a < points[s].weights.n; ++a)
+          {
+            const LineWeights &weights   = points[s].weights;
+            potential.nodes[potential.n] = weights.first_node + a;
+            potential.fiber[potential.n] = s;
+            potential.value[potential.n] = weights.value[a];
+            potential.first[potential.n] = weights.first[a];
+            ++potential.n;
+          }
+    }
+
+    /** As if normal and points stood still: what is left is positive. */
+    void
+    set_positive(const Configuration  &c,
+                 const ContactElement &contact,
+                 const LawValue       &law,
+                 ContactPotential     &potential)
+    {
+      const SectionPair &slope = potential.force_slope;
+      SectionPair2       both  = slope * slope.transpose() / law.derivative;
+      for (unsigned int s = 0; s < 2 && law.force > 0; ++s)
+        {
+          const Vector3 &N      = contact.normal;
+          const double   across = 1 / (1 - std::pow(N.dot(c.t[s]), 2));
+          const double   v1 = N.dot(c.g[s][0]), v2 = N.dot(c.g[s][1]);
+          const double   norm = std::hypot(v1, v2);
+          const double   factor =
+            law.force * std::sqrt(across) / (norm * norm * norm);
+          Vector6 turned;
+          turned << v2 * N, -v1 * N;
+          both.block<6, 6>(9 * s + 3, 9 * s + 3) +=
+            factor * turned * turned.transpose();
+        }
+      for (unsigned int s = 0; s < 2; ++s)
+        for (unsigned int r = 0; r < 2; ++r)
+          {
+            potential.both[s][r] = both.block<9, 9>(9 * s, 9 * r);
+            potential.row[s][r].setZero();
+            potential.column[s][r].setZero();
+          }
+    }
+  } // namespace
+
+
+
+  void
+  follow_points(ContactElement  &contact,
+                const FiberMesh &mesh,
+                const DofVector &q)
+  {
+    followed_points(contact, mesh, q);
+  }
+
+
+
+  double
+  normal_energy(ContactElement  &contact,
+                const FiberMesh &mesh,
+                const DofVector &q)
+  {
+    const PointPair     points = followed_points(contact, mesh, q);
+    const Configuration c(points);
+    const double gap = gap_of(c.scalars, c.sign(contact), contact.offset);
+    if (contact.lost)
+      return 0;
+    const LawValue law = NormalLaw(contact, gap, c.scalars[cosine]).value;
+    store(contact, c, gap, law);
+    return law.energy;
+  }
+
+
+
+  bool
+  evaluate_normal(ContactElement   &contact,
+                  const FiberMesh  &mesh,
+                  const DofVector  &q,
+                  ContactPotential &potential,
+                  const Curvature   asked)
+  {
+    const PointPair     points = followed_points(contact, mesh, q);
+    const Configuration c(points);
+    const double        sign = c.sign(contact);
+    contact.normal_force     = 0;
+    contact.status           = ContactElement::Status::open;
+    if (contact.lost)
+      return false;
+    contact.gap          = gap_of(c.scalars, sign, contact.offset);
+    const bool predicted = contact.predicted && asked != Curvature::none;
+    if (contact.gap >= 0 && !predicted)
+      return false;
+
+    const Gap       gap = gap_with_derivatives(c.scalars, sign, contact.offset);
+    const NormalLaw law(contact, gap.value, c.scalars[cosine]);
+    store(contact, c, gap.value, law.value);
+    set_nodes(points, potential);
+
+    const bool         on_plane = contact.following == Points::on_plane;
+    const unsigned int n        = on_plane ? 1 : 2; // conditions on points
+    const auto         jacobian = jacobian_of(c);
+    const Nine        &slope_1 = points[0].slope, &slope_2 = points[1].slope;
+
+    // Derivatives by the scalars, then by the sections, points kept.
+    Vector6 by_scalars = -law.value.force * gap.gradient;
+    by_scalars[cosine] += law.value.energy * law.spread.first;
+    const SectionPair energy =
+      by_sections(Vector15(jacobian.transpose() * by_scalars));
+    Vector6 force_by_scalars = -law.value.derivative * gap.gradient;
+    force_by_scalars[cosine] += law.value.force * law.spread.first;
+
+    // The conditions on the points, and how these slide.
+    std::array<Vector6, 2> conditions{{Vector6::Zero(), Vector6::Zero()}};
+    conditions[0][along_1]                = 1;
+    conditions[on_plane ? 0 : 1][along_2] = on_plane ? contact.orientation : 1;
+    std::array<SectionPair, 2> by_points, slide;
+    for (unsigned int k = 0; k < n; ++k)
+      by_points[k] =
+        by_sections(Vector15(jacobian.transpose() * conditions[k]));
+    // Of the energy's multipliers and the force's.
+    Eigen::Vector2d   multipliers(0, 0), of_force(0, 0);
+    const SectionPair force =
+      by_sections(Vector15(jacobian.transpose() * force_by_scalars));
+    const auto slopes_of = [&](const SectionPair &v) {
+      return Eigen::Vector2d(v.head<9>().dot(slope_1),
+                             v.tail<9>().dot(slope_2));
+    };
+    if (on_plane)
+      {
+        const double slope = slopes_of(by_points[0])[1];
+        multipliers[0]     = -slopes_of(energy)[1] / slope;
+        of_force[0]        = -slopes_of(force)[1] / slope;
+        slide[0]           = -by_points[0] / slope;
+      }
+    else
+      {
+        Eigen::Matrix2d system;
+        system << slopes_of(by_points[0]).transpose(),
+          slopes_of(by_points[1]).transpose();
+        const Eigen::Matrix2d inverse = system.inverse();
+        multipliers = -inverse.transpose() * slopes_of(energy);
+        of_force    = -inverse.transpose() * slopes_of(force);
+        for (unsigned int k = 0; k < 2; ++k)
+          slide[k] =
+            -inverse(k, 0) * by_points[0] - inverse(k, 1) * by_points[1];
+      }
+    potential.residual    = energy;
+    potential.force_slope = force;
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        potential.residual += multipliers[k] * by_points[k];
+        potential.force_slope += of_force[k] * by_points[k];
+        by_scalars += multipliers[k] * conditions[k];
+      }
+    if (asked == Curvature::none)
+      return true;
+    if (asked == Curvature::positive)
+      {
+        set_positive(c, contact, law.value, potential);
+        return true;
+      }
+
+    Matrix6 curvature =
+      law.value.derivative * gap.gradient * gap.gradient.transpose() -
+      law.value.force * gap.hessian;
+    if (!on_plane)
+      {
+        const Vector6 mixed =
+          -law.value.force * law.spread.first * gap.gradient;
+        curvature.col(cosine) += mixed;
+        curvature.row(cosine) += mixed.transpose();
+        curvature(cosine, cosine) += law.value.energy * law.spread.second;
+      }
+    Matrix15 by_vectors = jacobian.transpose() * curvature * jacobian;
+    add_second_derivatives(c, by_scalars, by_vectors);
+    const SectionPair2 hessian = by_sections(by_vectors);
+
+    // Where the points slide by y, forces on the sections along the fibers
+    // count as well: H + l y^T + y l^T.
+    SectionPair2               both = hessian;
+    const SectionPair         &L    = potential.residual;
+    std::array<SectionPair, 2> half;                     // l, by the parts of y
+    const unsigned int         first = on_plane ? 1 : 0; // fiber of slide[0]
+    for (unsigned int k = 0; k < n; ++k)
+      half[k] = first + k == 0 ? SectionPair(hessian.leftCols<9>() * slope_1) :
+                                 SectionPair(hessian.rightCols<9>() * slope_2);
+    Eigen::Matrix2d sliding = Eigen::Matrix2d::Zero();
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int l = 0; l < n; ++l)
+        {
+          sliding(k, l) = first + l == 0 ? half[k].head<9>().dot(slope_1) :
+                                           half[k].tail<9>().dot(slope_2);
+          if (k == l)
+            sliding(k, l) += first + k == 0 ?
+                               L.head<9>().dot(points[0].second) :
+                               L.tail<9>().dot(points[1].second);
+        }
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        SectionPair l = half[k];
+        for (unsigned int j = 0; j < n; ++j)
+          l += .5 * sliding(k, j) * slide[j];
+        both.noalias() += l * slide[k].transpose();
+        both.noalias() += slide[k] * l.transpose();
+      }
+    for (unsigned int s = 0; s < 2; ++s)
+      for (unsigned int r = 0; r < 2; ++r)
+        {
+          potential.both[s][r] = both.block<9, 9>(9 * s, 9 * r);
+          // Of the derivative of fiber s with the slide of its point.
+          if (s < first)
+            potential.row[s][r].setZero();
+          else
+            potential.row[s][r] =
+              L.segment<9>(9 * s) *
+              slide[s - first].segment<9>(9 * r).transpose();
+          potential.column[r][s] = potential.row[s][r].transpose();
+        }
+    return true;
+  }
+} // namespace fiberloom

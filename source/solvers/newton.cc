@@ -1,0 +1,438 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/scoped_timer.h>
+
+#include <fiberloom/contact/contact_potential.h>
+
+#include <fiberloom/solvers/newton.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiberloom
+{
+  namespace
+  {
+    // Stations are found anew when a fiber has moved by this, over its radius:
+    // a third of what the search sees beyond the surfaces.
+    constexpr double stale_after = .1;
+
+    // Limits of friction are set anew when the residual has fallen to this
+    // part: each balance is worth as much as the next limits are off.
+    constexpr double lag_reduction = .1;
+
+    // Below this residual limits may follow within the linear system; a step
+    // that does not halve the regenerated residual waits for this part of it.
+    constexpr double coupled_below = .03, coupled_reduction = .5,
+                     coupled_again = .3;
+
+    // Predictions of contacts that close in one iteration, and how deep over
+    // the radius the step has to bring them.
+    constexpr unsigned int most_predictions = 2;
+    constexpr double       least_depth      = .005;
+
+    // A step with predicted contacts has to go down as this part of the one
+    // without them.
+    constexpr double least_descent = .1;
+
+    // Corrections in one iteration; below the residual steps are so short that
+    // there is nothing to correct.
+    constexpr unsigned int most_corrections = 6;
+    constexpr double       corrected_from = 1e-3, of_corrections = 1e-3;
+
+    // Armijo's rule and its bounds on the next trial.
+    constexpr double       sufficient = 1e-4, shortest = .1, longest_cut = .5;
+    constexpr unsigned int most_cuts = 10;
+    constexpr double       rounding  = 1e-13; // of an energy
+
+    // Levenberg's diagonal over E r: the least, and its change by the actual
+    // over the predicted decrease, as in any trust-region method.
+    constexpr double least_damping = 1e-5, damping_growth = 4,
+                     damping_decay = .1;
+    constexpr double good_model = .75, poor_model = .25;
+
+    // Of the linear systems: what they leave is well below what is asked for.
+    constexpr double linear_part = .01, loosest_system = 1e-4,
+                     tightest_system = 1e-9, coupled_system = 1e-6;
+  } // namespace
+
+
+
+  Newton::Newton(const FiberMesh &mesh,
+                 System          &system,
+                 LinearSolver    &linear_solver,
+                 StageStatistics &statistics,
+                 Increment       &increment,
+                 const double     largest_move,
+                 Watch            watch)
+    : mesh(mesh)
+    , system(system)
+    , linear_solver(linear_solver)
+    , statistics(statistics)
+    , increment(increment)
+    , largest_move(largest_move)
+    , watch(std::move(watch))
+  {}
+
+
+
+  bool
+  Newton::solve(State             &state,
+                const Problem     &problem,
+                const double       tolerance,
+                const unsigned int most)
+  {
+    generated_at.resize(0);
+    trusted          = true;
+    damping          = 0;
+    coupled_from     = problem.rule.friction ? coupled_below : 0;
+    coupled_residual = residual = 1e300;
+    for (unsigned int i = 0;; ++i)
+      {
+        refresh(state, problem);
+        system.couple_limits(residual < coupled_from);
+        assemble(state,
+                 problem,
+                 trusted ? Curvature::exact : Curvature::positive);
+        residual = increment.residual(problem);
+        lagged   = std::max(lagged, residual);
+        watch({residual, damping, last_factor});
+        if (residual < tolerance && is_at_rest(state, problem, tolerance))
+          return true;
+        Step step;
+        if (i == most || !std::isfinite(residual) ||
+            !find_step(state, problem, tolerance, step))
+          return false;
+        ++statistics.newton_iterations;
+        if (!take_coupled_step(state, problem))
+          descend(state, problem, step);
+      }
+  }
+
+
+
+  void
+  Newton::refresh(State &state, const Problem &problem)
+  {
+    if (generated_at.size() == 0 ||
+        system.motion().largest_move(state.q - generated_at) > stale_after)
+      {
+        increment.generate(state, problem);
+        generated_at = state.q;
+        lagged       = 0;
+        return;
+      }
+    if (problem.rule.friction && residual < lag_reduction * lagged)
+      {
+        increment.update_normals(state, problem);
+        lagged = 0;
+      }
+    ScopedTimer timer(statistics.seconds.assembly);
+    // Points may have slid onto other elements.
+    for (ContactElement &contact : increment.contacts)
+      if (contact.following != ContactElement::Points::fixed)
+        follow_points(contact, mesh, state.q);
+    system.reinit(increment.contacts);
+  }
+
+
+
+  bool
+  Newton::is_at_rest(State         &state,
+                     const Problem &problem,
+                     const double   tolerance)
+  {
+    increment.generate(state, problem);
+    generated_at = state.q;
+    system.couple_limits(residual < coupled_from);
+    assemble(state, problem, Curvature::exact);
+    residual = lagged = increment.residual(problem);
+    return residual < tolerance;
+  }
+
+
+
+  void
+  Newton::assemble(const State    &state,
+                   const Problem  &problem,
+                   const Curvature curvature)
+  {
+    is_exact = curvature == Curvature::exact;
+    system.set_curvature(curvature);
+    increment.assemble(state, problem);
+    gradient = system.right_hand_side();
+  }
+
+
+
+  State
+  Newton::moved(const State           &state,
+                const Eigen::VectorXd &increment,
+                const double           factor) const
+  {
+    State moved;
+    moved.q          = state.q;
+    moved.placements = state.placements;
+    system.motion().advance(moved, increment, factor);
+    return moved;
+  }
+
+
+
+  double
+  Newton::energy(const State   &from,
+                 const State   &at,
+                 const Problem &problem) const
+  {
+    return system.energy(at, increment.contacts) -
+           system.load_work(problem.targets, from, at);
+  }
+
+
+
+  double
+  Newton::longest(const Step &step) const
+  {
+    return largest_move > 0 ? largest_move / std::max(largest_move, step.move) :
+                              1;
+  }
+
+
+
+  bool
+  Newton::solve_linear(const State                   &state,
+                       const double                   tolerance,
+                       const double                   damping,
+                       const LinearSolver::Indefinite indefinite,
+                       Step                          &step)
+  {
+    std::vector<double>   solution;
+    LinearSolver::Outcome outcome;
+    {
+      ScopedTimer timer(statistics.seconds.linear_solver);
+      outcome = linear_solver.solve(
+        system.matrix(),
+        state.q,
+        system.right_hand_side(),
+        std::vector<double>(system.layout().n_blocks(),
+                            damping * system.stiffness_scale()),
+        std::max(least_damping, damping) * system.stiffness_scale(),
+        solution,
+        indefinite,
+        std::clamp(linear_part * tolerance / residual,
+                   tightest_system,
+                   loosest_system));
+    }
+    add(statistics, outcome);
+    if (is_exact)
+      last_negative_pivots = outcome.negative_pivots;
+    if (outcome.negative_pivots != 0 &&
+        indefinite == LinearSolver::Indefinite::refused)
+      return false;
+    step.increment = system.gather(solution);
+    step.move      = system.motion().largest_move(step.increment);
+    double slope   = 0;
+    for (unsigned int i = 0; i < solution.size(); ++i)
+      slope -= gradient[i] * solution[i];
+    step.slope =
+      dealii::Utilities::MPI::sum(slope, system.layout().communicator());
+    return true;
+  }
+
+
+
+  bool
+  Newton::find_step(const State   &state,
+                    const Problem &problem,
+                    const double   tolerance,
+                    Step          &step)
+  {
+    using Indefinite = LinearSolver::Indefinite;
+    if (is_exact &&
+        !solve_linear(state, tolerance, damping, Indefinite::refused, step))
+      assemble(state, problem, Curvature::positive);
+    if (!is_exact)
+      solve_linear(state, tolerance, damping, Indefinite::shifted, step);
+
+    for (unsigned int k = 0; k < most_predictions && std::isfinite(step.move) &&
+                             predict_closing(state, problem, step) > 0;
+         ++k)
+      {
+        // Contacts that are predicted pull as well as push: what they make of
+        // the step still has to go down.
+        Step next;
+        solve_linear(state, tolerance, 0, Indefinite::shifted, next);
+        if (!(next.slope < least_descent * step.slope))
+          break;
+        step = std::move(next);
+      }
+    for (ContactElement &contact : increment.contacts)
+      contact.predicted = false;
+    return std::isfinite(step.move);
+  }
+
+
+
+  unsigned int
+  Newton::predict_closing(const State &state, const Problem &, const Step &step)
+  {
+    ScopedTimer  timer(statistics.seconds.assembly);
+    const State  ahead = moved(state, step.increment, longest(step));
+    const double depth = least_depth * mesh.smallest_radius();
+    std::vector<unsigned int> closing;
+    for (unsigned int i = 0; i < increment.contacts.size(); ++i)
+      {
+        ContactElement &contact = increment.contacts[i];
+        if (contact.following == ContactElement::Points::fixed ||
+            contact.predicted || contact.lost || contact.gap <= 0)
+          continue;
+        ContactElement there = contact;
+        normal_energy(there, mesh, ahead.q);
+        if (!there.lost && there.gap < -depth)
+          {
+            contact.predicted = true;
+            closing.push_back(i);
+          }
+      }
+    if (!closing.empty())
+      system.add_closing(state, increment.contacts, closing);
+    return closing.size();
+  }
+
+
+
+  bool
+  Newton::take_coupled_step(State &state, const Problem &problem)
+  {
+    if (!(residual < coupled_from) || !is_exact || damping > 0 ||
+        !system.matrix().has_outer_products())
+      return false;
+    std::vector<double>   solution;
+    LinearSolver::Outcome outcome;
+    bool                  found;
+    {
+      ScopedTimer timer(statistics.seconds.linear_solver);
+      found = linear_solver.solve_coupled(
+        system.matrix(), gradient, coupled_system, solution, outcome);
+    }
+    add(statistics, outcome);
+    Step step;
+    step.increment = system.gather(solution);
+    step.move      = system.motion().largest_move(step.increment);
+    if (found && step.move < stale_after)
+      {
+        const auto kept  = increment.contacts;
+        State      there = state;
+        system.motion().advance(there, step.increment, 1);
+        increment.generate(there, problem);
+        const double anew = increment.measure(there, problem);
+        if (anew < coupled_reduction * std::min(coupled_residual, 1e299) ||
+            coupled_residual > 1e299)
+          {
+            state        = std::move(there);
+            generated_at = state.q;
+            residual = lagged = coupled_residual = anew;
+            trusted                              = true;
+            last_factor                          = 1;
+            return true;
+          }
+        increment.contacts = kept;
+      }
+    coupled_from     = coupled_again * residual;
+    coupled_residual = 1e300;
+    return false;
+  }
+
+
+
+  void
+  Newton::descend(State &state, const Problem &problem, const Step &step)
+  {
+    const double here    = energy(state, state, problem);
+    const double full    = longest(step);
+    double       factor  = full;
+    State        there   = moved(state, step.increment, factor);
+    double       reached = energy(state, there, problem);
+    unsigned int cuts    = 0;
+    {
+      ScopedTimer timer(statistics.seconds.assembly);
+      for (; cuts < most_cuts &&
+             !(reached <= here + sufficient * factor * step.slope +
+                            rounding * std::abs(here));
+           ++cuts)
+        {
+          const double parabola = -.5 * step.slope * factor * factor /
+                                  (reached - here - step.slope * factor);
+          factor =
+            std::isfinite(parabola) ?
+              std::clamp(parabola, shortest * factor, longest_cut * factor) :
+              shortest * factor;
+          there   = moved(state, step.increment, factor);
+          reached = energy(state, there, problem);
+        }
+    }
+    if (residual > corrected_from)
+      reached = correct(state, problem, step, factor, reached, there);
+
+    const double predicted = -step.slope * factor * (1 - .5 * factor);
+    const double actual    = predicted > 0 ? (here - reached) / predicted : 0;
+    if (actual < poor_model || cuts > 1)
+      damping = std::max(damping_growth * damping, least_damping);
+    else if (actual > good_model && cuts == 0 && full == 1)
+      damping =
+        damping_decay * damping < least_damping ? 0 : damping_decay * damping;
+    trusted          = factor == 1 && actual > poor_model;
+    last_factor      = factor;
+    state.q          = std::move(there.q);
+    state.placements = std::move(there.placements);
+  }
+
+
+
+  double
+  Newton::correct(const State   &state,
+                  const Problem &problem,
+                  const Step    &step,
+                  const double   factor,
+                  const double   energy_before,
+                  State         &there)
+  {
+    double          lowest = energy_before;
+    Eigen::VectorXd total  = factor * step.increment;
+    for (unsigned int k = 0; k < most_corrections; ++k)
+      {
+        // What the linear model of the step does not explain.
+        std::vector<ContactElement> contacts = increment.contacts;
+        {
+          ScopedTimer timer(statistics.seconds.assembly);
+          system.assemble_residual(there, problem.targets, contacts);
+        }
+        std::vector<double> defect = system.free_residual(), solution;
+        for (unsigned int i = 0; i < defect.size(); ++i)
+          defect[i] = -(defect[i] + (1 - factor) * gradient[i]);
+        LinearSolver::Outcome outcome;
+        {
+          ScopedTimer timer(statistics.seconds.linear_solver);
+          if (!linear_solver.solve_again(
+                system.matrix(), defect, of_corrections, solution, outcome))
+            break;
+        }
+        add(statistics, outcome);
+        Step correction;
+        correction.increment = system.gather(solution);
+        correction.move = system.motion().largest_move(correction.increment);
+        if (!(correction.move < (largest_move > 0 ? largest_move : 1e300)))
+          break;
+        total += correction.increment;
+        ScopedTimer  timer(statistics.seconds.assembly);
+        State        next    = moved(state, total, 1);
+        const double reached = energy(state, next, problem);
+        if (!(reached < lowest))
+          break;
+        lowest = reached;
+        there  = std::move(next);
+      }
+    return lowest;
+  }
+} // namespace fiberloom
