@@ -10,6 +10,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
+#include <csignal>
 #include <iostream>
 #include <new>
 
@@ -25,6 +26,9 @@ main(int argc, char *argv[])
   // Ranks are the parallelism: with threads of its own each would be slower.
   if (openblas_set_num_threads)
     openblas_set_num_threads(1);
+  // A screen or a disk that takes no more is told by what is written there.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   dealii::deal_II_exceptions::disable_abort_on_exception();
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
 
