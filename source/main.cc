@@ -12,7 +12,6 @@
 
 #include <csignal>
 #include <iostream>
-#include <new>
 
 // Of OpenBLAS, where that is the BLAS.
 extern "C" void
@@ -56,12 +55,7 @@ main(int argc, char *argv[])
     }
   catch (const std::exception &error)
     {
-      const bool no_memory = dynamic_cast<const std::bad_alloc *>(&error);
-      std::cerr << "fiberloom: "
-                << (no_memory ? "out of memory; a smaller model, or \"Linear "
-                                "solver\" = multigrid, may help" :
-                                one_line(error))
-                << std::endl;
+      std::cerr << "fiberloom: " << one_line(error) << std::endl;
       if (dealii::Utilities::MPI::n_mpi_processes(comm) > 1)
         MPI_Abort(comm, 2); // other ranks may wait for this one
       return 2;

@@ -169,6 +169,8 @@ main(int argc, char **argv)
       << "\n";
 
   // Planted: a link to something precious, and pipes.
+  for (const char *former : {"saved.tmp", "linked", "pipe", "pipe.tmp"})
+    std::filesystem::remove(former);
   write_file("precious", "precious");
   std::filesystem::create_symlink("precious", "saved.tmp");
   write_checkpoint("saved", written, model, comm);

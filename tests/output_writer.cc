@@ -187,6 +187,11 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
+  // Of an earlier call.
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    for (const char *former : {"straight", "interrupted", "full"})
+      std::filesystem::remove_all(former);
+
   Parameters parameters;
   parameters.stages                  = {"relax", "biaxial"};
   parameters.output.checkpoint_every = 2;

@@ -97,7 +97,7 @@ namespace fiberloom
     catch (const std::exception &error)
       {
         failed  = true;
-        message = error.what();
+        message = one_line(error);
       }
 
     const unsigned int n_ranks = n_mpi_processes(comm);

@@ -61,6 +61,7 @@ namespace fiberloom
           const MPI_Comm               comm,
           const std::function<void()> &ask)
     {
+      ask();
       const Parameters parameters = refine(scene.parameters, refinement);
       const FiberSet   fibers     = build_fiber_set(parameters);
       const FiberMesh  mesh(fibers);

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/memory.h>
 #include <fiberloom/base/scoped_timer.h>
 
 #include <fiberloom/stages/coat.h>
@@ -102,24 +103,63 @@ namespace fiberloom
 
 
 
-  void
-  Simulation::print_check()
+  ModelSize
+  Simulation::expected_size() const
   {
     ModelSize size   = model_size();
     size.matrix_dofs = 3 * n_layer_nodes(parameters.matrix);
+    return size;
+  }
+
+
+
+  double
+  Simulation::expected_memory() const
+  {
+    const ModelSize    size  = expected_size();
+    const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
     // Fitted to woven samples of 6,300 to 55,188 dofs, doc/performance.md; the
     // exponent is that of a nested dissection factor.
-    const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
-    const double       gigabytes =
-      .17 * ranks +
+    const double factor =
       .42 * std::pow((size.fiber_dofs + size.matrix_dofs) / 55188., 1.13);
+    const bool whole = parameters.solver.linear_solver == "double factor";
+    return gibibyte * (.17 * ranks + (whole ? 1.5 : 1) * factor);
+  }
+
+
+
+  void
+  Simulation::print_check()
+  {
+    const ModelSize size      = expected_size();
+    double          available = 0;
+    const bool      fits = fits_into_memory(expected_memory(), comm, available);
     if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
       std::cout << "fibers          " << size.fibers << "\nnodes           "
                 << size.nodes << "\nfiber dofs      " << size.fiber_dofs
                 << "\nfiber elements  " << size.fiber_elements
                 << "\nmatrix dofs     " << size.matrix_dofs
-                << "\nexpected memory " << boost::format("%.1f GiB") % gigabytes
-                << std::endl;
+                << "\nexpected memory "
+                << boost::format("%.1f GiB") % (expected_memory() / gibibyte)
+                << "\navailable memory "
+                << boost::format("%.1f GiB") % (available / gibibyte)
+                << (fits ? "" : ", too little") << std::endl;
+  }
+
+
+
+  void
+  Simulation::check_memory() const
+  {
+    double available = 0;
+    if (!fits_into_memory(expected_memory(), comm, available))
+      throw StageFailure(
+        (boost::format("too little memory: the model needs some %.2f GiB, and "
+                       "%.2f GiB are there; a smaller model, fewer ranks or "
+                       "another computer may help") %
+         (expected_memory() / gibibyte) % (available / gibibyte))
+          .str());
+    reserve_blas_buffers();
   }
 
 
@@ -303,6 +343,7 @@ namespace fiberloom
         return 0;
       }
 
+    check_memory();
     StopRequest stop(comm,
                      parameters.output_directory,
                      parameters.maximal_wall_time,

@@ -42,8 +42,21 @@ namespace fiberloom
     ModelSize
     model_size() const;
 
+    /** With the matrix that the scene asks for. */
+    ModelSize
+    expected_size() const;
+
+    /** On all ranks together [bytes]. */
+    double
+    expected_memory() const;
+
     void
     print_check();
+
+    /** Throws StageFailure where the model will not fit into what is there, and
+     * takes what libraries need for themselves. Collective. */
+    void
+    check_memory() const;
 
     /**
      * The state to start from. Where the scene's stages begin with those that
