@@ -3,6 +3,7 @@
 
 #include <fiberloom/base/command_line.h>
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/exit_guard.h>
 
 #include <fiberloom/simulation/read_input.h>
 #include <fiberloom/simulation/simulation.h>
@@ -31,8 +32,9 @@ main(int argc, char *argv[])
   dealii::deal_II_exceptions::disable_abort_on_exception();
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
 
-  const MPI_Comm comm     = MPI_COMM_WORLD;
-  const bool     is_first = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
+  const ExitGuard guard;
+  const MPI_Comm  comm = MPI_COMM_WORLD;
+  const bool is_first  = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
   try
     {
       const CommandLine command_line = CommandLine::parse(argc, argv);
@@ -57,7 +59,7 @@ main(int argc, char *argv[])
     {
       std::cerr << "fiberloom: " << one_line(error) << std::endl;
       if (dealii::Utilities::MPI::n_mpi_processes(comm) > 1)
-        MPI_Abort(comm, 2); // other ranks may wait for this one
+        PMPI_Abort(comm, 2); // other ranks may wait for this one
       return 2;
     }
 }
