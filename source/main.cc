@@ -3,6 +3,7 @@
 
 #include <fiberloom/base/command_line.h>
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/exit_guard.h>
 
 #include <fiberloom/simulation/read_input.h>
 #include <fiberloom/simulation/simulation.h>
@@ -10,8 +11,8 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
+#include <csignal>
 #include <iostream>
-#include <new>
 
 // Of OpenBLAS, where that is the BLAS.
 extern "C" void
@@ -25,11 +26,15 @@ main(int argc, char *argv[])
   // Ranks are the parallelism: with threads of its own each would be slower.
   if (openblas_set_num_threads)
     openblas_set_num_threads(1);
+  // A screen or a disk that takes no more is told by what is written there.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   dealii::deal_II_exceptions::disable_abort_on_exception();
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
 
-  const MPI_Comm comm     = MPI_COMM_WORLD;
-  const bool     is_first = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
+  const ExitGuard guard;
+  const MPI_Comm  comm = MPI_COMM_WORLD;
+  const bool is_first  = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
   try
     {
       const CommandLine command_line = CommandLine::parse(argc, argv);
@@ -52,14 +57,9 @@ main(int argc, char *argv[])
     }
   catch (const std::exception &error)
     {
-      const bool no_memory = dynamic_cast<const std::bad_alloc *>(&error);
-      std::cerr << "fiberloom: "
-                << (no_memory ? "out of memory; a smaller model, or \"Linear "
-                                "solver\" = multigrid, may help" :
-                                one_line(error))
-                << std::endl;
+      std::cerr << "fiberloom: " << one_line(error) << std::endl;
       if (dealii::Utilities::MPI::n_mpi_processes(comm) > 1)
-        MPI_Abort(comm, 2); // other ranks may wait for this one
+        PMPI_Abort(comm, 2); // other ranks may wait for this one
       return 2;
     }
 }

@@ -2,14 +2,19 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 // A checkpoint comes back bit for bit, and a file that is no good for this run
-// is refused with one line that says why. When the disk is full the former
-// file stays as it was.
+// is refused with one line that says why. When the disk takes no more the
+// former file stays as it was. What was planted under a temporary name is
+// replaced, not followed and not waited for.
 
 #include <fiberloom/base/exceptions.h>
 
 #include <fiberloom/output/checkpoint.h>
 #include <fiberloom/output/files.h>
 
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -49,6 +54,10 @@ namespace
     checkpoint.stages[1].largest_penetration_over_radius = .02 / 3;
     checkpoint.stages[1].largest_section_change          = .004 / 3;
     checkpoint.stages[1].seconds.detection               = 1.5;
+    checkpoint.run                       = {"0123", "set a = b\n"};
+    checkpoint.output.tables["some.csv"] = "stage,increment,load\n";
+    checkpoint.output.fields["fibers"]   = {{1. / 3, "fields/some.pvtu"}};
+    checkpoint.output.log_size           = 77;
     return checkpoint;
   }
 
@@ -78,7 +87,11 @@ namespace
              b.stages[1].largest_penetration_over_radius &&
            a.stages[1].largest_section_change ==
              b.stages[1].largest_section_change &&
-           a.stages[1].seconds.detection == b.stages[1].seconds.detection;
+           a.stages[1].seconds.detection == b.stages[1].seconds.detection &&
+           a.run.id == b.run.id && a.run.asked == b.run.asked &&
+           a.output.tables == b.output.tables &&
+           a.output.fields == b.output.fields &&
+           a.output.log_size == b.output.log_size;
   }
 
   template <class Error>
@@ -141,10 +154,32 @@ main(int argc, char **argv)
       << message<InputError>([&]() { read_checkpoint("absent", model, comm); })
       << "\n";
 
-  // a full disk
-  std::filesystem::create_symlink("/dev/full", "saved.tmp");
-  out << message<StageFailure>([&]() {
-    write_checkpoint("saved", written, "new", comm);
-  }) << "\n"
-      << "former file intact " << (read_file("saved") == content) << "\n";
+  // a disk that takes no more
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit limits;
+  getrlimit(RLIMIT_FSIZE, &limits);
+  const rlimit small = {content.size() / 2, limits.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string full = message<StageFailure>(
+    [&]() { write_checkpoint("saved", written, "new", comm); });
+  setrlimit(RLIMIT_FSIZE, &limits);
+  out << full << "\n"
+      << "former file intact " << (read_file("saved") == content)
+      << ", nothing left aside " << !std::filesystem::exists("saved.tmp")
+      << "\n";
+
+  // Planted: a link to something precious, and pipes.
+  for (const char *former : {"saved.tmp", "linked", "pipe", "pipe.tmp"})
+    std::filesystem::remove(former);
+  write_file("precious", "precious");
+  std::filesystem::create_symlink("precious", "saved.tmp");
+  write_checkpoint("saved", written, model, comm);
+  out << "what a link leads to stays " << (read_file("precious") == "precious");
+  std::filesystem::create_symlink("precious", "linked");
+  write_file("linked", "new");
+  out << " " << (read_file("precious") == "precious");
+  mkfifo("pipe.tmp", 0600);
+  mkfifo("pipe", 0600);
+  write_file("pipe", "new", true);
+  out << ", pipes are replaced " << (read_file("pipe") == "new") << "\n";
 }

@@ -23,6 +23,7 @@ main(int argc, char **argv)
   Summary summary;
   summary.version           = "1.0 \"quoted\" \\ \n";
   summary.revision          = "abc";
+  summary.run               = "0123456789abcdef";
   summary.ranks             = 2;
   summary.converged         = true;
   summary.model.fiber_dofs  = 316008;
@@ -45,6 +46,7 @@ main(int argc, char **argv)
       << (tree.get<std::string>("version") == summary.version) << "\n";
   for (const char *name : {"program",
                            "revision",
+                           "run",
                            "ranks",
                            "converged",
                            "model.fibers",

@@ -2,14 +2,19 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 // A run that is interrupted and continued leaves the same files as one that
-// is not, and all that are promised.
+// is not, and all that are promised. Nobody else can have its directory.
 
 #include <fiberloom/base/exceptions.h>
 
+#include <fiberloom/output/directory_lock.h>
 #include <fiberloom/output/files.h>
 #include <fiberloom/output/writer.h>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -87,55 +92,83 @@ namespace
       const unsigned int n_increments,
       const bool         restart)
   {
-    const FiberSet  fibers = two_fibers();
-    const FiberMesh mesh(fibers);
-    double          seconds = 0;
-    OutputWriter    writer(
-      parameters, fibers, mesh, ModelSize(), MPI_COMM_WORLD, seconds);
+    const FiberSet      fibers = two_fibers();
+    const FiberMesh     mesh(fibers);
+    const std::string  &directory = parameters.output_directory;
+    const DirectoryLock lock(directory, MPI_COMM_WORLD);
+    const RunIdentity   identity = new_run(parameters, MPI_COMM_WORLD);
+    Log                 log(MPI_COMM_WORLD);
+    double              seconds = 0;
+    OutputWriter        writer(parameters,
+                        fibers,
+                        mesh,
+                        ModelSize(),
+                        identity,
+                        log,
+                        MPI_COMM_WORLD,
+                        seconds);
 
     State state;
     state.q = mesh.reference();
     if (restart)
       {
         const Checkpoint checkpoint =
-          read_checkpoint(parameters.output_directory + "/checkpoint",
+          read_checkpoint(directory + "/checkpoint",
                           describe_model(fibers, mesh),
                           MPI_COMM_WORLD);
         state = checkpoint.state;
         writer.continue_from(checkpoint);
       }
-    writer.begin();
+    writer.begin(false);
     for (unsigned int i = 0; i < n_increments; ++i)
       {
-        if (state.load == 1)
-          {
-            ++state.stage;
-            state.increment = 0;
-            state.load      = 0;
-          }
         writer.begin_stage(parameters.stages[state.stage], state);
         increment(writer, mesh, state, parameters.stages[state.stage]);
+        if (state.load == 1)
+          {
+            state.begin_stage(state.stage + 1);
+            writer.end_stage(state);
+          }
       }
   }
 
-  /** What a run says that goes on while reactions.csv.tmp takes nothing. */
+  template <class Error>
+  std::string
+  message(const std::function<void()> &work)
+  {
+    try
+      {
+        work();
+      }
+    catch (const Error &error)
+      {
+        return error.what();
+      }
+    return "nothing";
+  }
+
+  /** What a run says that goes on where no file may grow beyond some rows. */
   std::string
   message_of_full_disk(Parameters parameters)
   {
     parameters.output_directory = "full";
     run(parameters, 2, false);
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::filesystem::create_symlink("/dev/full", "full/reactions.csv.tmp");
-    MPI_Barrier(MPI_COMM_WORLD);
-    try
-      {
-        run(parameters, 1, true);
-      }
-    catch (const StageFailure &failure)
-      {
-        return failure.what();
-      }
-    return "nothing";
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limits;
+    getrlimit(RLIMIT_FSIZE, &limits);
+    const rlimit small = {500, limits.rlim_max};
+    return message<StageFailure>([&]() {
+      setrlimit(RLIMIT_FSIZE, &small);
+      try
+        {
+          run(parameters, 1, true);
+        }
+      catch (...)
+        {
+          setrlimit(RLIMIT_FSIZE, &limits);
+          throw;
+        }
+    });
   }
 
   std::set<std::string>
@@ -154,6 +187,11 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
+  // Of an earlier call.
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    for (const char *former : {"straight", "interrupted", "full"})
+      std::filesystem::remove_all(former);
+
   Parameters parameters;
   parameters.stages                  = {"relax", "biaxial"};
   parameters.output.checkpoint_every = 2;
@@ -165,7 +203,14 @@ main(int argc, char **argv)
   parameters.output_directory = "interrupted";
   run(parameters, 4, false);
   run(parameters, 3, true);
-  const std::string message = message_of_full_disk(parameters);
+  const std::string full = message_of_full_disk(parameters);
+  std::string       refused;
+  {
+    const DirectoryLock lock("straight", MPI_COMM_WORLD);
+    refused =
+      message<InputError>([&]() { DirectoryLock("straight", MPI_COMM_WORLD); });
+  }
+  const std::set<std::string> left = files("straight");
 
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return 0;
@@ -189,11 +234,15 @@ main(int argc, char **argv)
         << (read_file(std::string("straight/") + name) ==
             read_file(std::string("interrupted/") + name))
         << "\n";
+  out << "a second run is refused "
+      << (refused.find("in use by process " + std::to_string(getpid())) !=
+          std::string::npos)
+      << ", no lock is left " << (left.count("lock") == 0) << "\n";
   std::istringstream reactions(read_file("straight/reactions.csv"));
   std::string        line;
   for (unsigned int i = 0; i < 3 && std::getline(reactions, line); ++i)
     out << line << "\n";
   const std::string before = read_file("full/reactions.csv");
-  out << message << "; left with rows "
+  out << full << "; left with rows "
       << std::count(before.begin(), before.end(), '\n') - 1 << "\n";
 }

@@ -2,9 +2,11 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/memory.h>
 
 #include <deal.II/base/exceptions.h>
 
+#include <new>
 #include <sstream>
 
 namespace fiberloom
@@ -21,6 +23,8 @@ namespace fiberloom
     if (const auto *library_exception =
           dynamic_cast<const dealii::ExceptionBase *>(&exception))
       library_exception->print_info(text);
+    else if (dynamic_cast<const std::bad_alloc *>(&exception))
+      text << out_of_memory();
     else
       text << exception.what();
 

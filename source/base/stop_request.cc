@@ -5,6 +5,7 @@
 
 #include <array>
 #include <csignal>
+#include <ctime>
 #include <filesystem>
 
 namespace fiberloom
@@ -16,22 +17,36 @@ namespace fiberloom
     // causes other than the number of a signal
     constexpr int stop_file_found = 1000, wall_time_used = 1001;
 
+    // A terminal and a launcher may both pass on the same request.
+    constexpr std::time_t same_request = 3; // [s]
+
     volatile std::sig_atomic_t received_signal = 0;
+    volatile std::time_t       received_at     = 0;
 
     extern "C" void
     remember_signal(const int signal)
     {
+      const std::time_t now = std::time(nullptr);
+      if (received_signal == 0)
+        received_at = now;
+      else if (signal == received_signal && signal != SIGUSR1 &&
+               now > received_at + same_request)
+        {
+          std::signal(signal, SIG_DFL);
+          std::raise(signal);
+        }
       received_signal = signal;
     }
   } // namespace
 
   StopRequest::StopRequest(const MPI_Comm     comm,
                            const std::string &output_directory,
-                           const double       maximal_wall_time)
+                           const double       maximal_wall_time,
+                           const std::chrono::steady_clock::time_point start)
     : comm(comm)
     , stop_file(output_directory + "/stop")
     , maximal_wall_time(maximal_wall_time)
-    , start(std::chrono::steady_clock::now())
+    , start(start)
   {
     received_signal = 0;
     for (const int signal : signals)

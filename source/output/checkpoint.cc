@@ -9,7 +9,9 @@
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/crc.hpp>
+#include <boost/serialization/map.hpp>
 #include <boost/serialization/string.hpp>
+#include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 #include <boost/serialization/version.hpp>
 
@@ -48,6 +50,13 @@ namespace boost
       if (version >= 2)
         ar &s.largest_section_change &s.estimated_error.matrix;
     }
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, fiberloom::OutputRecord &output, const unsigned int)
+    {
+      ar &output.tables &output.fields &output.log_size;
+    }
   } // namespace serialization
 } // namespace boost
 
@@ -58,7 +67,7 @@ namespace fiberloom
     const std::string checkpoint_magic = "fiberloom checkpoint\n";
 
     // to be raised with every change of what is serialised
-    constexpr std::uint64_t checkpoint_version = 5;
+    constexpr std::uint64_t checkpoint_version = 6;
 
     std::string
     words(const std::initializer_list<std::uint64_t> &values)
@@ -193,7 +202,8 @@ namespace fiberloom
     std::ostringstream payload;
     {
       boost::archive::binary_oarchive archive(payload);
-      archive << checkpoint.state << checkpoint.stages;
+      archive << checkpoint.state << checkpoint.stages << checkpoint.run
+              << checkpoint.output;
     }
     const std::string body = words({model.size()}) + model + payload.str();
     return checkpoint_magic +
@@ -236,7 +246,8 @@ namespace fiberloom
         std::istringstream input(
           body.substr(sizeof(std::uint64_t) + its_model.size()));
         boost::archive::binary_iarchive archive(input);
-        archive >> checkpoint.state >> checkpoint.stages;
+        archive >> checkpoint.state >> checkpoint.stages >> checkpoint.run >>
+          checkpoint.output;
       }
     catch (const std::exception &)
       {

@@ -6,12 +6,6 @@
 #include <fiberloom/output/fields.h>
 #include <fiberloom/output/files.h>
 
-#include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
-#include <boost/serialization/string.hpp>
-#include <boost/serialization/utility.hpp>
-#include <boost/serialization/vector.hpp>
-
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
@@ -100,27 +94,6 @@ namespace fiberloom
       out << "  </PUnstructuredGrid>\n</VTKFile>\n";
       return out.str();
     }
-
-    std::vector<std::pair<double, std::string>>
-    read_collection(const std::string &file)
-    {
-      std::vector<std::pair<double, std::string>> entries;
-      try
-        {
-          boost::property_tree::ptree tree;
-          boost::property_tree::read_xml(file, tree);
-          for (const auto &item : tree.get_child("VTKFile.Collection"))
-            if (item.first == "DataSet")
-              entries.emplace_back(
-                item.second.get<double>("<xmlattr>.timestep"),
-                item.second.get<std::string>("<xmlattr>.file"));
-        }
-      catch (const boost::property_tree::ptree_error &)
-        {
-          // Pictures of the past, absent or spoilt, must not stop a restart.
-        }
-      return entries;
-    }
   } // namespace
 
 
@@ -136,19 +109,12 @@ namespace fiberloom
 
 
   void
-  FieldSeries::continue_after(const double time)
+  FieldSeries::continue_from(const Entries &former, const double time)
   {
-    using namespace dealii::Utilities::MPI;
-
-    if (this_mpi_process(comm) == 0)
-      entries = read_collection(directory + "/" + name + ".pvd");
-    entries = broadcast(comm, entries, 0);
-    entries.erase(std::remove_if(entries.begin(),
-                                 entries.end(),
-                                 [time](const auto &entry) {
-                                   return entry.first > time + same_time;
-                                 }),
-                  entries.end());
+    all_entries.clear();
+    for (const auto &entry : former)
+      if (entry.first < time + same_time)
+        all_entries.push_back(entry);
   }
 
 
@@ -156,8 +122,8 @@ namespace fiberloom
   bool
   FieldSeries::has(const double time) const
   {
-    return std::any_of(entries.begin(),
-                       entries.end(),
+    return std::any_of(all_entries.begin(),
+                       all_entries.end(),
                        [time](const auto &entry) {
                          return std::abs(entry.first - time) < same_time;
                        });
@@ -184,14 +150,14 @@ namespace fiberloom
                  piece_content(piece));
     });
 
-    entries.erase(std::remove_if(entries.begin(),
-                                 entries.end(),
-                                 [time](const auto &entry) {
-                                   return std::abs(entry.first - time) <
-                                          same_time;
-                                 }),
-                  entries.end());
-    entries.emplace_back(time, "fields/" + stem + ".pvtu");
+    all_entries.erase(std::remove_if(all_entries.begin(),
+                                     all_entries.end(),
+                                     [time](const auto &entry) {
+                                       return std::abs(entry.first - time) <
+                                              same_time;
+                                     }),
+                      all_entries.end());
+    all_entries.emplace_back(time, "fields/" + stem + ".pvtu");
 
     collectively(comm, [&]() {
       if (this_mpi_process(comm) != 0)
@@ -213,7 +179,7 @@ namespace fiberloom
     out.precision(12);
     out << xml_header
         << "<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
-    for (const auto &[time, file] : entries)
+    for (const auto &[time, file] : all_entries)
       out << "    <DataSet timestep=\"" << time << "\" file=\"" << file
           << "\"/>\n";
     out << "  </Collection>\n</VTKFile>\n";

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/file_descriptor.h>
 
 #include <fiberloom/output/files.h>
 
@@ -19,96 +20,12 @@ namespace fiberloom
 {
   namespace
   {
-    /** A file descriptor that writes all or throws. */
-    class FileDescriptor
-    {
-    public:
-      FileDescriptor(const std::string &file, const int flags)
-        : name(file)
-        , descriptor(::open(file.c_str(), flags | O_CLOEXEC, 0666))
-      {
-        if (descriptor < 0)
-          fail();
-      }
-
-      ~FileDescriptor()
-      {
-        if (descriptor >= 0)
-          ::close(descriptor);
-      }
-
-      FileDescriptor(const FileDescriptor &) = delete;
-
-      void
-      write(const std::string &content)
-      {
-        std::size_t written = 0;
-        while (written < content.size())
-          {
-            const auto n = ::write(descriptor,
-                                   content.data() + written,
-                                   content.size() - written);
-            if (n < 0 && errno != EINTR)
-              fail();
-            if (n > 0)
-              written += n;
-          }
-      }
-
-      void
-      synchronise()
-      {
-        if (::fsync(descriptor) != 0)
-          fail();
-      }
-
-      void
-      close()
-      {
-        const int closed = ::close(descriptor);
-        descriptor       = -1;
-        if (closed != 0)
-          fail();
-      }
-
-    private:
-      [[noreturn]] void
-      fail() const
-      {
-        throw StageFailure("cannot write " + name + ": " +
-                           std::strerror(errno));
-      }
-
-      std::string name;
-      int         descriptor;
-    };
-
     void
     synchronise_directory_of(const std::string &file)
     {
       const auto parent = std::filesystem::path(file).parent_path();
-      FileDescriptor(parent.empty() ? "." : parent.string(), O_RDONLY)
-        .synchronise();
-    }
-
-    std::string
-    try_output_directory(const std::string &directory)
-    {
-      try
-        {
-          std::error_code error;
-          std::filesystem::create_directories(directory, error);
-          if (error)
-            return error.message();
-          const std::string probe = directory + "/.write-probe";
-          FileDescriptor(probe, O_WRONLY | O_CREAT | O_TRUNC).close();
-          std::filesystem::remove(probe, error);
-          return "";
-        }
-      catch (const std::exception &error)
-        {
-          return error.what();
-        }
+      // The directory may itself be reached through a link.
+      FileDescriptor((parent / ".").string(), O_RDONLY).synchronise();
     }
   } // namespace
 
@@ -122,25 +39,31 @@ namespace fiberloom
     const std::string aside = file + ".tmp";
     try
       {
-        FileDescriptor output(aside, O_WRONLY | O_CREAT | O_TRUNC);
+        FileDescriptor output = FileDescriptor::create(aside);
         output.write(content);
         if (durable)
           output.synchronise();
         output.close();
+        rename_file(aside, file, durable);
       }
     catch (...)
       {
         ::unlink(aside.c_str());
         throw;
       }
-    if (std::rename(aside.c_str(), file.c_str()) != 0)
-      {
-        const std::string reason = std::strerror(errno);
-        ::unlink(aside.c_str());
-        throw StageFailure("cannot write " + file + ": " + reason);
-      }
+  }
+
+
+
+  void
+  rename_file(const std::string &file,
+              const std::string &to,
+              const bool         durable)
+  {
+    if (std::rename(file.c_str(), to.c_str()) != 0)
+      throw StageFailure("cannot write " + to + ": " + std::strerror(errno));
     if (durable)
-      synchronise_directory_of(file);
+      synchronise_directory_of(to);
   }
 
 
@@ -174,7 +97,7 @@ namespace fiberloom
     catch (const std::exception &error)
       {
         failed  = true;
-        message = error.what();
+        message = one_line(error);
       }
 
     const unsigned int n_ranks = n_mpi_processes(comm);
@@ -182,23 +105,5 @@ namespace fiberloom
       min(failed ? this_mpi_process(comm) : n_ranks, comm);
     if (first < n_ranks)
       throw StageFailure(broadcast(comm, message, first));
-  }
-
-
-
-  void
-  prepare_output_directory(const std::string &directory, const MPI_Comm comm)
-  {
-    using namespace dealii::Utilities::MPI;
-
-    std::string reason;
-    if (this_mpi_process(comm) == 0)
-      reason = try_output_directory(directory);
-    reason = broadcast(comm, reason, 0);
-    if (!reason.empty())
-      throw InputError("Output directory: " + directory + " is no use (" +
-                       reason +
-                       "); allowed is a directory that exists or can be "
-                       "created");
   }
 } // namespace fiberloom

@@ -166,6 +166,7 @@ namespace fiberloom
              .member("program", std::string("fiberloom"))
              .member("version", summary.version)
              .member("revision", summary.revision)
+             .member("run", summary.run)
              .member("ranks", summary.ranks)
              .member("converged", summary.converged)
              .raw("model", model_json(summary.model))

@@ -87,15 +87,19 @@ namespace fiberloom
 
 
 
-  OutputWriter::OutputWriter(const Parameters &parameters,
-                             const FiberSet   &fibers,
-                             const FiberMesh  &mesh,
-                             const ModelSize  &model,
-                             const MPI_Comm    comm,
-                             double           &output_seconds)
+  OutputWriter::OutputWriter(const Parameters  &parameters,
+                             const FiberSet    &fibers,
+                             const FiberMesh   &mesh,
+                             const ModelSize   &model,
+                             const RunIdentity &run,
+                             Log               &log,
+                             const MPI_Comm     comm,
+                             double            &output_seconds)
     : parameters(parameters)
     , fibers(fibers)
     , mesh(mesh)
+    , identity(run)
+    , log(log)
     , comm(comm)
     , output_seconds(output_seconds)
     , model_description(describe_model(fibers, mesh))
@@ -107,11 +111,11 @@ namespace fiberloom
   {
     summary.version  = program_version();
     summary.revision = program_revision();
+    summary.run      = run.id;
     summary.model    = model;
     summary.ranks    = dealii::Utilities::MPI::n_mpi_processes(comm);
     // What goes wrong is thrown with one line; VTK would add its own.
     vtkObject::GlobalWarningDisplayOff();
-    prepare_output_directory(parameters.output_directory, comm);
   }
 
 
@@ -119,45 +123,56 @@ namespace fiberloom
   void
   OutputWriter::continue_from(const Checkpoint &checkpoint)
   {
-    const State &state = checkpoint.state;
-    statistics         = checkpoint.stages;
-    for (FieldSeries *series : {&fiber_series,
-                                &section_series,
-                                &contact_series,
-                                &matrix_series,
-                                &junction_series})
-      series->continue_after(field_time(state));
-    try
-      {
-        collectively(comm, [&]() {
-          for (IncrementTable *table : tables())
-            if (is_first_rank() && std::filesystem::exists(path(table->file())))
-              table->continue_from(read_file(path(table->file())),
-                                   parameters.stages,
-                                   state.stage,
-                                   state.increment);
-        });
-      }
-    catch (const StageFailure &error)
-      {
-        throw InputError(error.what());
-      }
+    const State        &state  = checkpoint.state;
+    const OutputRecord &output = checkpoint.output;
+    goes_on                    = true;
+    statistics                 = checkpoint.stages;
+    for (FieldSeries *fields : series())
+      if (const auto former = output.fields.find(fields->series());
+          former != output.fields.end())
+        fields->continue_from(former->second, field_time(state));
+    for (IncrementTable *table : tables())
+      if (const auto former = output.tables.find(table->file());
+          former != output.tables.end())
+        table->continue_from(former->second,
+                             parameters.stages,
+                             state.stage,
+                             state.increment);
   }
 
 
 
   void
-  OutputWriter::begin()
+  OutputWriter::begin(const bool converged)
   {
-    if (parameters.output.only_summary)
-      return;
     collectively(comm, [&]() {
       if (!is_first_rank())
         return;
-      std::ostringstream text;
-      parameters.print(text);
-      write_file(path("parameters.prm"), text.str());
+      if (!goes_on)
+        keep_former_checkpoint();
+      if (parameters.output.only_summary)
+        return;
+      write_file(path("parameters.prm"),
+                 "# Values in force of run " + identity.id + "\n" +
+                   identity.asked);
+      for (const IncrementTable *table : tables())
+        write_file(path(table->file()), table->str(), true);
     });
+    write_summary(converged);
+  }
+
+
+
+  void
+  OutputWriter::keep_former_checkpoint()
+  {
+    std::error_code ignored;
+    if (!std::filesystem::exists(
+          std::filesystem::symlink_status(path("checkpoint"), ignored)))
+      return;
+    rename_file(path("checkpoint"), path("checkpoint.before"), true);
+    log.write("the checkpoint of the run before is kept as " +
+              path("checkpoint.before"));
   }
 
 
@@ -168,6 +183,7 @@ namespace fiberloom
                             const Composite   *composite)
   {
     const SecondsGuard guard(output_seconds);
+    log_size = log.size();
     count(composite);
     if (state.increment > 0 || parameters.output.only_summary)
       return;
@@ -186,6 +202,10 @@ namespace fiberloom
     const SecondsGuard guard(output_seconds);
     const State       &state = report.state;
 
+    statistics_before = statistics;
+    log_size_before   = log_size;
+    log_size          = log.size();
+
     StageStatistics entry  = report.statistics;
     entry.name             = report.stage;
     entry.converged        = report.last;
@@ -199,10 +219,12 @@ namespace fiberloom
       {
         statistics[state.stage].seconds.output += guard.elapsed();
         statistics[state.stage].seconds.wall += guard.elapsed();
-        write_summary(state.stage + 1 == parameters.stages.size());
+        // What is left, such as the estimated error, is not in a state: killed
+        // on the way to it, a run does the increment again.
+        write_summary(false);
       }
-    if (!parameters.output.only_summary &&
-        is_due(parameters.output.checkpoint_every, report))
+    else if (!parameters.output.only_summary &&
+             is_due(parameters.output.checkpoint_every, report))
       save(state);
   }
 
@@ -242,10 +264,37 @@ namespace fiberloom
   void
   OutputWriter::save(const State &state)
   {
+    log.synchronise();
     write_checkpoint(path("checkpoint"),
-                     {state, statistics},
+                     {state, statistics, identity, output_record(log.size())},
                      model_description,
                      comm);
+  }
+
+
+
+  void
+  OutputWriter::save_before_last(const State &before)
+  {
+    write_checkpoint(
+      path("checkpoint"),
+      {before, statistics_before, identity, output_record(log_size_before)},
+      model_description,
+      comm);
+  }
+
+
+
+  OutputRecord
+  OutputWriter::output_record(const std::uint64_t log_size)
+  {
+    OutputRecord record;
+    for (const IncrementTable *table : tables())
+      record.tables[table->file()] = table->str();
+    for (const FieldSeries *fields : series())
+      record.fields[fields->series()] = fields->entries();
+    record.log_size = log_size;
+    return record;
   }
 
 
@@ -258,7 +307,7 @@ namespace fiberloom
     summary.peak_memory_bytes = peak_memory_bytes(comm);
     collectively(comm, [&]() {
       if (is_first_rank())
-        write_file(path("summary.json"), summary_json(summary));
+        write_file(path("summary.json"), summary_json(summary), true);
     });
   }
 
@@ -383,8 +432,9 @@ namespace fiberloom
                    report.state.load,
                    report.curve);
       reactions.append(report);
+      const bool durable = is_due(parameters.output.checkpoint_every, report);
       for (const IncrementTable *table : tables())
-        write_file(path(table->file()), table->str());
+        write_file(path(table->file()), table->str(), durable);
     });
   }
 
@@ -394,6 +444,18 @@ namespace fiberloom
   OutputWriter::tables()
   {
     return {{&curve, &reactions}};
+  }
+
+
+
+  std::array<FieldSeries *, 5>
+  OutputWriter::series()
+  {
+    return {{&fiber_series,
+             &section_series,
+             &contact_series,
+             &matrix_series,
+             &junction_series}};
   }
 
 
@@ -425,7 +487,8 @@ namespace fiberloom
     collectively(comm, [&]() {
       if (is_first_rank())
         write_file(path("trajectories.csv"),
-                   trajectories_csv(fibers, mesh, report.state.q));
+                   trajectories_csv(fibers, mesh, report.state.q),
+                   true);
     });
   }
 } // namespace fiberloom

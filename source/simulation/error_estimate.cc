@@ -53,13 +53,15 @@ namespace fiberloom
 
     /** What some iterations make of @p found with other parameters. */
     Outcome
-    solve(const Scene       &scene,
-          const std::string &name,
-          const State       &before,
-          const State       &found,
-          const Refinement  &refinement,
-          const MPI_Comm     comm)
+    solve(const Scene                 &scene,
+          const std::string           &name,
+          const State                 &before,
+          const State                 &found,
+          const Refinement            &refinement,
+          const MPI_Comm               comm,
+          const std::function<void()> &ask)
     {
+      ask();
       const Parameters parameters = refine(scene.parameters, refinement);
       const FiberSet   fibers     = build_fiber_set(parameters);
       const FiberMesh  mesh(fibers);
@@ -79,7 +81,7 @@ namespace fiberloom
                               generator,
                               system,
                               statistics,
-                              [](const Equilibrium::Progress &) {});
+                              [&ask](const Equilibrium::Progress &) { ask(); });
       const double     load = found.load;
       const Equilibrium::Problem problem{
         start,
@@ -166,16 +168,17 @@ namespace fiberloom
 
 
   ErrorEstimate
-  estimate_error(const Scene       &scene,
-                 const std::string &name,
-                 const State       &before,
-                 const State       &found,
-                 const MPI_Comm     comm)
+  estimate_error(const Scene                 &scene,
+                 const std::string           &name,
+                 const State                 &before,
+                 const State                 &found,
+                 const MPI_Comm               comm,
+                 const std::function<void()> &ask)
   {
     if (!create_stage(name, scene)->is_test())
       return {};
     const auto solve_with = [&](const Refinement &refinement) {
-      return solve(scene, name, before, found, refinement, comm);
+      return solve(scene, name, before, found, refinement, comm, ask);
     };
     try
       {

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/memory.h>
 #include <fiberloom/base/scoped_timer.h>
-#include <fiberloom/base/stop_request.h>
 
 #include <fiberloom/stages/coat.h>
 
@@ -17,6 +17,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 #include <utility>
 
 namespace fiberloom
@@ -45,6 +46,29 @@ namespace fiberloom
           }
       return setting;
     }
+
+    /** The first of @p changes , and how many more there are. */
+    std::string
+    summarized(const std::vector<std::string> &changes)
+    {
+      const auto more = changes.size() - 1;
+      return changes.front() +
+             (more > 0 ? ", and " + std::to_string(more) + " more" : "");
+    }
+
+    /** Null where there is no directory to be locked yet. */
+    std::unique_ptr<DirectoryLock>
+    lock_if_there(const std::string &directory, const MPI_Comm comm)
+    {
+      using namespace dealii::Utilities::MPI;
+      std::error_code ignored;
+      if (broadcast(comm,
+                    this_mpi_process(comm) == 0 &&
+                      std::filesystem::is_directory(directory, ignored),
+                    0))
+        return std::make_unique<DirectoryLock>(directory, comm);
+      return nullptr;
+    }
   } // namespace
 
 
@@ -55,6 +79,9 @@ namespace fiberloom
     : parameters(parameters)
     , command_line(command_line)
     , comm(comm)
+    , lock(command_line.check ?
+             nullptr :
+             lock_if_there(parameters.output_directory, comm))
     , fibers(build_fiber_set(parameters))
     , mesh(fibers)
     , generator(fibers, mesh, parameters.contact, comm)
@@ -76,24 +103,63 @@ namespace fiberloom
 
 
 
-  void
-  Simulation::print_check()
+  ModelSize
+  Simulation::expected_size() const
   {
     ModelSize size   = model_size();
     size.matrix_dofs = 3 * n_layer_nodes(parameters.matrix);
+    return size;
+  }
+
+
+
+  double
+  Simulation::expected_memory() const
+  {
+    const ModelSize    size  = expected_size();
+    const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
     // Fitted to woven samples of 6,300 to 55,188 dofs, doc/performance.md; the
     // exponent is that of a nested dissection factor.
-    const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
-    const double       gigabytes =
-      .17 * ranks +
+    const double factor =
       .42 * std::pow((size.fiber_dofs + size.matrix_dofs) / 55188., 1.13);
+    const bool whole = parameters.solver.linear_solver == "double factor";
+    return gibibyte * (.17 * ranks + (whole ? 1.5 : 1) * factor);
+  }
+
+
+
+  void
+  Simulation::print_check()
+  {
+    const ModelSize size      = expected_size();
+    double          available = 0;
+    const bool      fits = fits_into_memory(expected_memory(), comm, available);
     if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
       std::cout << "fibers          " << size.fibers << "\nnodes           "
                 << size.nodes << "\nfiber dofs      " << size.fiber_dofs
                 << "\nfiber elements  " << size.fiber_elements
                 << "\nmatrix dofs     " << size.matrix_dofs
-                << "\nexpected memory " << boost::format("%.1f GiB") % gigabytes
-                << std::endl;
+                << "\nexpected memory "
+                << boost::format("%.1f GiB") % (expected_memory() / gibibyte)
+                << "\navailable memory "
+                << boost::format("%.1f GiB") % (available / gibibyte)
+                << (fits ? "" : ", too little") << std::endl;
+  }
+
+
+
+  void
+  Simulation::check_memory() const
+  {
+    double available = 0;
+    if (!fits_into_memory(expected_memory(), comm, available))
+      throw StageFailure(
+        (boost::format("too little memory: the model needs some %.2f GiB, and "
+                       "%.2f GiB are there; a smaller model, fewer ranks or "
+                       "another computer may help") %
+         (expected_memory() / gibibyte) % (available / gibibyte))
+          .str());
+    reserve_blas_buffers();
   }
 
 
@@ -121,6 +187,7 @@ namespace fiberloom
     else
       state.stage = *next; // under way
     continues = next == before.stage && restarts_in_place();
+    check_restart_file();
     return state;
   }
 
@@ -162,6 +229,78 @@ namespace fiberloom
 
 
   void
+  Simulation::check_restart_file() const
+  {
+    namespace fs = std::filesystem;
+    using namespace dealii::Utilities::MPI;
+
+    const fs::path directory = parameters.output_directory;
+    bool           replaced  = false;
+    if (restarts_in_place() && this_mpi_process(comm) == 0)
+      {
+        std::error_code error;
+        const auto      is = [&](const char *name) {
+          return fs::equivalent(command_line.restart, directory / name, error);
+        };
+        replaced = fs::exists(directory / "checkpoint", error) &&
+                   !is("checkpoint") && (continues || is("checkpoint.before"));
+      }
+    if (broadcast(comm, replaced, 0))
+      throw InputError(command_line.restart + ": the run would replace " +
+                       (directory / "checkpoint").string() +
+                       ", which is another; rename one of them, or give "
+                       "another --output-directory");
+  }
+
+
+
+  std::vector<std::string>
+  Simulation::compare_with_restarted(const bool nothing_left) const
+  {
+    if (command_line.restart.empty() || !next_stage())
+      return {};
+    std::ostringstream asked;
+    parameters.print(asked);
+    const auto changes = changed_entries(restart.run.asked, asked.str());
+    if (changes.empty())
+      return {};
+    if (nothing_left)
+      throw InputError(command_line.restart +
+                       ": has all stages of this scene behind it, but with "
+                       "other values (" +
+                       summarized(changes) +
+                       "); without --restart they are computed anew");
+    return {"goes on with other values: " + summarized(changes)};
+  }
+
+
+
+  void
+  Simulation::begin_output(OutputWriter &writer, const State &state)
+  {
+    const bool nothing_left = state.stage == parameters.stages.size();
+    if (continues)
+      writer.continue_from(restart);
+    else
+      record_stages_before(state, writer);
+    writer.begin(nothing_left);
+    if (nothing_left)
+      log.write("nothing is left to do: " + command_line.restart +
+                " has all stages of this scene behind it");
+    else if (continues)
+      log.write((boost::format("goes on from %s: stage %s, load %.4f") %
+                 command_line.restart % parameters.stages[state.stage] %
+                 state.load)
+                  .str());
+    if (!lock->holds())
+      log.write(
+        "this file system cannot lock: see to it that no other run has " +
+        parameters.output_directory);
+  }
+
+
+
+  void
   Simulation::record_stages_before(const State  &state,
                                    OutputWriter &writer) const
   {
@@ -192,6 +331,9 @@ namespace fiberloom
       notes.push_back(add_matrix(parameters, mesh, state));
     for (const std::string &note : stage_notes(state))
       notes.push_back(note);
+    for (const std::string &note :
+         compare_with_restarted(state.stage == parameters.stages.size()))
+      notes.push_back(note);
     if (command_line.check)
       {
         print_check();
@@ -201,22 +343,27 @@ namespace fiberloom
         return 0;
       }
 
+    check_memory();
+    StopRequest stop(comm,
+                     parameters.output_directory,
+                     parameters.maximal_wall_time,
+                     start);
+    if (!lock)
+      lock = std::make_unique<DirectoryLock>(parameters.output_directory, comm);
     state.scene_stages = parameters.stages;
-    OutputWriter writer(
-      parameters, fibers, mesh, model_size(), comm, output_seconds);
-    log.open(parameters.output_directory, continues);
+    RunIdentity run    = new_run(parameters, comm);
     if (continues)
-      writer.continue_from(restart);
-    else
-      record_stages_before(state, writer);
-    writer.begin();
-    if (state.stage == parameters.stages.size())
-      log.write("nothing is left to do: " + command_line.restart +
-                " has all stages of this scene behind it");
+      run.id = restart.run.id;
+    log.open(parameters.output_directory,
+             "run " + run.id,
+             continues ? restart.output.log_size : 0);
+    OutputWriter writer(
+      parameters, fibers, mesh, model_size(), run, log, comm, output_seconds);
+    begin_output(writer, state);
     for (const std::string &note : notes)
       log.write(note);
     log_what_is_left_out();
-    const int status = run_stages(state, writer);
+    const int status = run_stages(state, writer, stop);
     log_timings(writer.stages());
     if (parameters.solver.benchmark)
       log_benchmark(writer.stages());
@@ -226,11 +373,23 @@ namespace fiberloom
 
 
   int
-  Simulation::run_stages(State &state, OutputWriter &writer)
+  Simulation::end_on_request(OutputWriter                &writer,
+                             const StopRequest           &stop,
+                             const std::function<void()> &save)
   {
-    StopRequest stop(comm,
-                     parameters.output_directory,
-                     parameters.maximal_wall_time);
+    save();
+    writer.write_summary(false);
+    log.write("stopped on request (" + stop.reason() +
+              "): go on with --restart " + parameters.output_directory +
+              "/checkpoint");
+    return 3;
+  }
+
+
+
+  int
+  Simulation::run_stages(State &state, OutputWriter &writer, StopRequest &stop)
+  {
     while (state.stage < parameters.stages.size())
       {
         const std::string &name      = parameters.stages[state.stage];
@@ -249,10 +408,10 @@ namespace fiberloom
           statistics.seconds.output += output_seconds - output_before;
           writer.record(number, statistics);
         };
+        State before_last;
         try
           {
             writer.begin_stage(name, state, composite.get());
-            State before_last;
             {
               StageRun run(
                 scene,
@@ -268,17 +427,17 @@ namespace fiberloom
               before_last = run.before_last();
             }
             if (parameters.solver.error_estimate && before_last.q.size() > 0)
-              estimate(scene, before_last, state, statistics);
+              estimate(scene, before_last, state, statistics, stop);
           }
         catch (const StopRequested &)
           {
             record();
-            writer.save(state);
-            writer.write_summary(false);
-            log.write("stopped on request (" + stop.reason() +
-                      "): go on with --restart " + parameters.output_directory +
-                      "/checkpoint");
-            return 3;
+            return end_on_request(writer, stop, [&]() {
+              if (before_last.q.size() > 0)
+                writer.save_before_last(before_last);
+              else
+                writer.save(state);
+            });
           }
         catch (const StageFailure &failure)
           {
@@ -294,13 +453,7 @@ namespace fiberloom
         record();
         writer.end_stage(state);
         if (state.stage < parameters.stages.size() && stop.requested())
-          {
-            writer.save(state);
-            log.write("stopped on request (" + stop.reason() +
-                      "): go on with --restart " + parameters.output_directory +
-                      "/checkpoint");
-            return 3;
-          }
+          return end_on_request(writer, stop, [&]() { writer.save(state); });
       }
     return 0;
   }
@@ -311,12 +464,16 @@ namespace fiberloom
   Simulation::estimate(const Scene     &scene,
                        const State     &before,
                        const State     &reached,
-                       StageStatistics &statistics)
+                       StageStatistics &statistics,
+                       StopRequest     &stop)
   {
     {
       ScopedTimer timer(statistics.seconds.estimate);
-      statistics.estimated_error =
-        estimate_error(scene, statistics.name, before, reached, comm);
+      statistics.estimated_error = estimate_error(
+        scene, statistics.name, before, reached, comm, [&stop]() {
+          if (stop.requested())
+            throw StopRequested("");
+        });
     }
     const ErrorEstimate &error = statistics.estimated_error;
     if (std::isfinite(error.total))

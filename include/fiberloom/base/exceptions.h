@@ -29,7 +29,8 @@ namespace fiberloom
 
   /**
    * What @p exception says, on one line. Of deal.II's exceptions this is the
-   * sentence that explains them, without place and stack trace.
+   * sentence that explains them, without place and stack trace; of memory that
+   * is not to be had, how much was.
    */
   std::string
   one_line(const std::exception &exception);

@@ -14,16 +14,19 @@ namespace fiberloom
   /**
    * Whether the user or the queue wants the run to end: by SIGTERM, SIGINT or
    * SIGUSR1 to any rank, by a file "stop" in the output directory, or because
-   * the wall time since construction is used up. While an object of this class
-   * lives these signals only set a flag.
+   * the wall time is used up. While an object of this class lives these signals
+   * only set a flag; SIGTERM or SIGINT that comes again seconds later ends the
+   * process, as where it hangs in a library.
    */
   class StopRequest
   {
   public:
-    /** @p maximal_wall_time : [s], 0 for unlimited. */
-    StopRequest(const MPI_Comm     comm,
-                const std::string &output_directory,
-                const double       maximal_wall_time);
+    /** @p maximal_wall_time : [s] since @p start , 0 for unlimited. */
+    StopRequest(const MPI_Comm                              comm,
+                const std::string                          &output_directory,
+                const double                                maximal_wall_time,
+                const std::chrono::steady_clock::time_point start =
+                  std::chrono::steady_clock::now());
 
     ~StopRequest();
 

@@ -4,6 +4,7 @@
 #ifndef fiberloom_output_checkpoint_h
 #define fiberloom_output_checkpoint_h
 
+#include <fiberloom/base/run_identity.h>
 #include <fiberloom/base/statistics.h>
 
 #include <fiberloom/fabric/fiber_set.h>
@@ -12,18 +13,35 @@
 
 #include <fiberloom/model/state.h>
 
+#include <fiberloom/output/fields.h>
+
 #include <deal.II/base/mpi.h>
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace fiberloom
 {
+  /**
+   * What the output directory holds of a run. A restart takes it from here, not
+   * from the files, which may be those of another run or of later increments.
+   */
+  struct OutputRecord
+  {
+    std::map<std::string, std::string>          tables;       // text by file
+    std::map<std::string, FieldSeries::Entries> fields;       // by series
+    std::uint64_t                               log_size = 0; // [bytes]
+  };
+
   /** All that a run needs to go on as if it had never stopped. */
   struct Checkpoint
   {
     State                        state;
     std::vector<StageStatistics> stages; // done or under way
+    RunIdentity                  run;
+    OutputRecord                 output;
   };
 
   /**

@@ -22,16 +22,27 @@ namespace fiberloom
   class FieldSeries
   {
   public:
+    using Entries = std::vector<std::pair<double, std::string>>; // time, file
+
     FieldSeries(const std::string &output_directory,
                 const std::string &name,
                 const MPI_Comm     comm);
 
-    /**
-     * Keeps the entries that are on disk up to @p time; later ones will be
-     * replaced. Without this call the series starts empty.
-     */
+    /** Goes on after those of @p former that are not later than @p time . */
     void
-    continue_after(const double time);
+    continue_from(const Entries &former, const double time);
+
+    const Entries &
+    entries() const
+    {
+      return all_entries;
+    }
+
+    const std::string &
+    series() const
+    {
+      return name;
+    }
 
     bool
     has(const double time) const;
@@ -49,10 +60,10 @@ namespace fiberloom
     std::string
     collection() const;
 
-    std::string                                 directory;
-    std::string                                 name;
-    MPI_Comm                                    comm;
-    std::vector<std::pair<double, std::string>> entries; // time, file
+    std::string directory;
+    std::string name;
+    MPI_Comm    comm;
+    Entries     all_entries;
   };
 
   /** Contiguous share of @p n things of this rank: begin and end. */

@@ -13,14 +13,24 @@ namespace fiberloom
 {
   /**
    * Writes @p content beside @p file and renames it, so that a reader finds
-   * either the old file or the whole new one. With @p durable it waits for the
-   * disk before it renames. Throws StageFailure with the system's reason and
-   * leaves the old file as it was.
+   * either the old file or the whole new one, and in place of a link or a pipe
+   * of this name. With @p durable it waits for the disk before it renames.
+   * Throws StageFailure with the system's reason and leaves the old file as it
+   * was.
    */
   void
   write_file(const std::string &file,
              const std::string &content,
              const bool         durable = false);
+
+  /**
+   * Gives @p file the name @p to , in place of what had it, and waits for the
+   * disk if @p durable . Throws StageFailure.
+   */
+  void
+  rename_file(const std::string &file,
+              const std::string &to,
+              const bool         durable = false);
 
   /** Throws InputError when @p file cannot be read. */
   std::string
@@ -32,13 +42,6 @@ namespace fiberloom
    */
   void
   collectively(const MPI_Comm comm, const std::function<void()> &work);
-
-  /**
-   * Creates @p directory with its parents and tries to write there. Throws
-   * InputError on every rank when that fails.
-   */
-  void
-  prepare_output_directory(const std::string &directory, const MPI_Comm comm);
 } // namespace fiberloom
 
 #endif

@@ -18,6 +18,7 @@ namespace fiberloom
   {
     std::string                  version;
     std::string                  revision;
+    std::string                  run; // its id
     unsigned int                 ranks     = 1;
     bool                         converged = false;
     ModelSize                    model;

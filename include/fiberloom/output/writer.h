@@ -4,7 +4,9 @@
 #ifndef fiberloom_output_writer_h
 #define fiberloom_output_writer_h
 
+#include <fiberloom/base/log.h>
 #include <fiberloom/base/parameters.h>
+#include <fiberloom/base/run_identity.h>
 #include <fiberloom/base/statistics.h>
 
 #include <fiberloom/fabric/fiber_set.h>
@@ -36,22 +38,26 @@ namespace fiberloom
    * Time in the fields is the index of the stage plus its load. Files carry the
    * name of their stage, followed by its index where the scene has had a stage
    * of that name before: relax_0001, later relax_2_0001. The checkpoint
-   * is always written last, so that the other files are never behind it.
+   * is always written last, so that the other files are never behind it; where
+   * they are ahead, because the run was killed, it says what belongs to them.
    */
   class OutputWriter
   {
   public:
     /**
-     * Creates the output directory, or throws InputError; writes nothing else.
+     * Writes nothing yet. The output directory is that of a DirectoryLock.
      * Seconds spent here are added to @p output_seconds . The references must
-     * outlive the writer; @p model goes to summary.json.
+     * outlive the writer; @p model goes to summary.json, @p run to all files
+     * that a restart relies on.
      */
-    OutputWriter(const Parameters &parameters,
-                 const FiberSet   &fibers,
-                 const FiberMesh  &mesh,
-                 const ModelSize  &model,
-                 const MPI_Comm    comm,
-                 double           &output_seconds);
+    OutputWriter(const Parameters  &parameters,
+                 const FiberSet    &fibers,
+                 const FiberMesh   &mesh,
+                 const ModelSize   &model,
+                 const RunIdentity &run,
+                 Log               &log,
+                 const MPI_Comm     comm,
+                 double            &output_seconds);
 
     /**
      * Goes on in the directory of the run that wrote @p checkpoint : keeps
@@ -61,9 +67,14 @@ namespace fiberloom
     void
     continue_from(const Checkpoint &checkpoint);
 
-    /** Writes parameters.prm. To be called once, before the first stage. */
+    /**
+     * Writes parameters.prm, tables and summary.json as they are so far,
+     * @p converged if no stage is left. A new run first gives the checkpoint
+     * that it finds another name, so that nobody takes it for its own. To be
+     * called once, before the first stage.
+     */
     void
-    begin();
+    begin(const bool converged);
 
     /**
      * Shows the state in which a stage starts: slices, and fields unless they
@@ -85,6 +96,14 @@ namespace fiberloom
     /** Writes the checkpoint now, as for a stage that fails or is stopped. */
     void
     save(const State &state);
+
+    /**
+     * Writes the checkpoint of the state @p before the last increment of a
+     * stage, as for one that is stopped between that and its end: a restart
+     * does the increment again.
+     */
+    void
+    save_before_last(const State &before);
 
     /**
      * Sets the statistics of stage number @p stage of the scene, as for one
@@ -115,6 +134,12 @@ namespace fiberloom
     bool
     is_first_rank() const;
 
+    void
+    keep_former_checkpoint();
+
+    OutputRecord
+    output_record(const std::uint64_t log_size);
+
     /** All but summary.json and the checkpoint. */
     void
     write_files(const IncrementReport &report);
@@ -136,6 +161,9 @@ namespace fiberloom
     std::array<IncrementTable *, 2>
     tables();
 
+    std::array<FieldSeries *, 5>
+    series();
+
     void
     write_pictures(const IncrementReport &report, const std::string &label);
 
@@ -145,6 +173,8 @@ namespace fiberloom
     Parameters                   parameters;
     const FiberSet              &fibers;
     const FiberMesh             &mesh;
+    const RunIdentity            identity;
+    Log                         &log;
     Summary                      summary;
     MPI_Comm                     comm;
     double                      &output_seconds;
@@ -157,6 +187,11 @@ namespace fiberloom
     LoadingCurve                 curve;
     ReactionTable                reactions;
     std::vector<StageStatistics> statistics;
+    bool                         goes_on = false;
+
+    // After the last increment, and after the one before.
+    std::uint64_t                log_size = 0, log_size_before = 0;
+    std::vector<StageStatistics> statistics_before;
   };
 } // namespace fiberloom
 

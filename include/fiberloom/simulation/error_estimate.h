@@ -10,6 +10,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <functional>
 #include <string>
 
 namespace fiberloom
@@ -20,14 +21,16 @@ namespace fiberloom
    * state found, a few iterations are done with elements half as long, with
    * twice the stations, with stiffer contact, or with cells of the matrix half
    * as large; what changes in the curve is taken on to the limit. NaN where
-   * that is not to be had. Collective.
+   * that is not to be had. @p ask is called before each iteration and may
+   * throw. Collective.
    */
   ErrorEstimate
-  estimate_error(const Scene       &scene,
-                 const std::string &name,
-                 const State       &before,
-                 const State       &found,
-                 const MPI_Comm     comm);
+  estimate_error(const Scene                 &scene,
+                 const std::string           &name,
+                 const State                 &before,
+                 const State                 &found,
+                 const MPI_Comm               comm,
+                 const std::function<void()> &ask);
 } // namespace fiberloom
 
 #endif

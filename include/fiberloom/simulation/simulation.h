@@ -7,13 +7,17 @@
 #include <fiberloom/base/command_line.h>
 #include <fiberloom/base/log.h>
 #include <fiberloom/base/parameters.h>
+#include <fiberloom/base/stop_request.h>
 
 #include <fiberloom/contact/contact_generator.h>
 
 #include <fiberloom/stages/stage.h>
 
+#include <fiberloom/output/directory_lock.h>
 #include <fiberloom/output/writer.h>
 
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -23,7 +27,8 @@ namespace fiberloom
   class Simulation
   {
   public:
-    /** Builds the model. Throws InputError. */
+    /** Builds the model, in an output directory that is there locked from the
+     * first. Throws InputError. */
     Simulation(const Parameters  &parameters,
                const CommandLine &command_line,
                const MPI_Comm     comm);
@@ -37,8 +42,21 @@ namespace fiberloom
     ModelSize
     model_size() const;
 
+    /** With the matrix that the scene asks for. */
+    ModelSize
+    expected_size() const;
+
+    /** On all ranks together [bytes]. */
+    double
+    expected_memory() const;
+
     void
     print_check();
+
+    /** Throws StageFailure where the model will not fit into what is there, and
+     * takes what libraries need for themselves. Collective. */
+    void
+    check_memory() const;
 
     /**
      * The state to start from. Where the scene's stages begin with those that
@@ -62,12 +80,35 @@ namespace fiberloom
     bool
     restarts_in_place() const;
 
+    /** Throws InputError where the run would replace what it starts from, or
+     * the checkpoint of another. Collective. */
+    void
+    check_restart_file() const;
+
+    /**
+     * What the scene asks for and the run that wrote the restart file did not:
+     * notes for the log. Throws InputError if no stage is left to do it, as
+     * @p nothing_left says.
+     */
+    std::vector<std::string>
+    compare_with_restarted(const bool nothing_left) const;
+
+    /** Opens log and files; what they say of the run so far. */
+    void
+    begin_output(OutputWriter &writer, const State &state);
+
     /** What the restarted run did before, for the writer's statistics. */
     void
     record_stages_before(const State &state, OutputWriter &writer) const;
 
     int
-    run_stages(State &state, OutputWriter &writer);
+    run_stages(State &state, OutputWriter &writer, StopRequest &stop);
+
+    /** Checkpoint, summary and a line in the log; the exit status. */
+    int
+    end_on_request(OutputWriter                &writer,
+                   const StopRequest           &stop,
+                   const std::function<void()> &save);
 
     /** Of the error of a stage that has come from @p before by its last
      * increment; for log.txt and @p statistics . */
@@ -75,7 +116,8 @@ namespace fiberloom
     estimate(const Scene     &scene,
              const State     &before,
              const State     &reached,
-             StageStatistics &statistics);
+             StageStatistics &statistics,
+             StopRequest     &stop);
 
     /** The matrix of @p state , which stage @p stage gives it if it is to; null
      * if there is none. */
@@ -95,16 +137,19 @@ namespace fiberloom
     void
     log_benchmark(const std::vector<StageStatistics> &stages);
 
-    const Parameters  parameters;
-    const CommandLine command_line;
-    const MPI_Comm    comm;
-    const FiberSet    fibers;
-    const FiberMesh   mesh;
-    ContactGenerator  generator;
-    Log               log;
-    Checkpoint        restart;
-    bool              continues = false; // the files in the output directory
-    double            output_seconds = 0;
+    const std::chrono::steady_clock::time_point start =
+      std::chrono::steady_clock::now();
+    const Parameters               parameters;
+    const CommandLine              command_line;
+    const MPI_Comm                 comm;
+    std::unique_ptr<DirectoryLock> lock;
+    const FiberSet                 fibers;
+    const FiberMesh                mesh;
+    ContactGenerator               generator;
+    Log                            log;
+    Checkpoint                     restart;
+    bool   continues      = false; // the files in the output directory
+    double output_seconds = 0;
   };
 } // namespace fiberloom
 
