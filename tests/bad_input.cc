@@ -183,7 +183,7 @@ check_files()
      {drive + "set Ends = 0 end\nset Rotation = if(t<0.5,0,3); 0; 0\nend\n",
       {"line 8", "Rotation", "jumps"}},
      {drive + "set Ends = 0 end\nset Rotation = sqrt(0.5-t); 0; 0\nend\n",
-      {"line 8", "Rotation", "not finite at t = 0.505"}},
+      {"line 8", "Rotation", "not finite at t = 0.5005"}},
      {drive + "set Ends = 0 end\nend\nsubsection Load\n"
                "set Gravity = 0; 0; -9810\nend\n",
       {"line 10", "Gravity", "Fibers/Density"}},

@@ -28,8 +28,15 @@ namespace fiberloom
   };
 
   /**
-   * What @p exception says, on one line. Of deal.II's exceptions this is the
-   * sentence that explains them, without place and stack trace.
+   * @p text for a screen: what would steer a terminal or is no UTF-8 as bytes,
+   * such as \\x1b.
+   */
+  std::string
+  printable(const std::string &text);
+
+  /**
+   * What @p exception says, on one printable line. Of deal.II's exceptions this
+   * is the sentence that explains them, without place and stack trace.
    */
   std::string
   one_line(const std::exception &exception);
