@@ -5,9 +5,10 @@
 
 import os
 import shutil
+import subprocess
 import sys
 
-from program_runs import SMALL_WEAVE, check, finish, run
+from program_runs import PROGRAM, SMALL_WEAVE, check, finish, run
 
 
 def check_refusal(what, words, *settings, directory="refused", **options):
@@ -20,11 +21,45 @@ def check_refusal(what, words, *settings, directory="refused", **options):
     shutil.rmtree("refused", ignore_errors=True)
 
 
+def check_note(what, words, *settings, scene=SMALL_WEAVE):
+    """What is accepted, but likely a mistake, is told by --check; nothing if there are no words."""
+    words = words if isinstance(words, list) else [words]
+    done = subprocess.run([PROGRAM, scene, "--check", *(word for setting in settings for word in ("--set", setting))],
+                          capture_output=True, text=True)
+    notes = [line for line in done.stdout.splitlines() if line.startswith("note: ")]
+    check(f"{what}: status {done.returncode}, {notes}",
+          done.returncode == 0 and not done.stderr and len(notes) == (words != []) and
+          all(word in notes[0] for word in words))
+
+
+def check_notes():
+    check_note("a usual weave", [])
+    check_note("modulus in GPa", ["Warp/Young modulus", "if GPa are meant, it is 73000"], "Fabric/Warp/Young modulus=73")
+    check_note("modulus in Pa", "if Pa are meant, it is 73000", "Fabric/Warp/Young modulus=73e9")
+    check_note("density", "if kg/m^3 are meant, it is 2.5e-09", "Fabric/Warp/Density=2500")
+    check_note("radius in um", "if um are meant, it is 0.008", "Fabric/Warp/Fiber radius=8",
+               "Fabric/Warp/Tow spacing=240")
+    check_note("twill cut off", ["Fabric/Pattern", "repeats after 4 tows", "mid-period"], "Fabric/Pattern=twill 2/2",
+               "Fabric/Warp/Tows=6", "Fabric/Fill/Tows=8")
+    check_note("set twice", ["--set", "Warp/Tows=2", "the later one counts"], "Fabric/Warp/Tows=4",
+               "Fabric/Warp/Tows=2")
+    with open(SMALL_WEAVE) as scene, open("twice.prm", "w") as twice:
+        twice.write(scene.read() + "set Accuracy = fine\n")
+    check_note("set twice in a file", ["line 32: Accuracy is set in line 4, too"], scene="twice.prm")
+    with open("extra.csv", "w") as table:
+        table.write("fiber,x,y,z,tex\n0,0,0,0,1\n0,1,0,0,1\n")
+    with open("extra.prm", "w") as scene:
+        scene.write("set Stages = load\nset Drives = d\nsubsection Drive d\nset Ends = 0 start\nend\n"
+                    "subsection Fibers\nset File = extra.csv\nend\n")
+    check_note("a column that is not read", ["extra.prm, line 7: Fibers/File", "ignored are tex; read are fiber, x"], scene="extra.prm")
+
+
 def spoilt(content, place, byte):
     return content[:place] + bytes([byte]) + content[place + 1:]
 
 
 def main():
+    check_notes()
     check("woven", run(SMALL_WEAVE, "woven", "Stages=weave").returncode == 0)
     good = os.path.join("woven", "checkpoint")
     with open(good, "rb") as file:

@@ -5,6 +5,8 @@
 #include <fiberloom/base/scoped_timer.h>
 #include <fiberloom/base/stop_request.h>
 
+#include <fiberloom/fabric/input_notes.h>
+
 #include <fiberloom/stages/coat.h>
 
 #include <fiberloom/simulation/error_estimate.h>
@@ -186,7 +188,7 @@ namespace fiberloom
     check_junctions(parameters, mesh);
     State state = initial_state();
     // Where coating comes first, what is wrong with it shows at once.
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = input_notes(parameters, fibers);
     if (state.stage < parameters.stages.size() &&
         parameters.stages[state.stage] == "coat" && state.matrix.is_empty())
       notes.push_back(add_matrix(parameters, mesh, state));
