@@ -3,10 +3,13 @@
 
 """Restart files and output directories that are no good: status 1, one line, nothing written."""
 
+import math
 import os
 import shutil
+import struct
 import subprocess
 import sys
+import zlib
 
 from program_runs import PROGRAM, SMALL_WEAVE, check, finish, run
 
@@ -58,6 +61,13 @@ def spoilt(content, place, byte):
     return content[:place] + bytes([byte]) + content[place + 1:]
 
 
+def rewritten(content, place, text):
+    """A checkpoint with `text` at `place` and a checksum that fits."""
+    content = content[:place] + text + content[place + len(text):]
+    head = content.index(b"\n") + 1 + 16 # behind the format and the size
+    return content[:head] + struct.pack("<Q", zlib.crc32(content[head + 8:])) + content[head + 8:]
+
+
 def main():
     check_notes()
     check("woven", run(SMALL_WEAVE, "woven", "Stages=weave").returncode == 0)
@@ -72,6 +82,20 @@ def main():
         with open("bad", "wb") as file:
             file.write(text)
         check_refusal(words, ["bad", words], restart="bad")
+    # Sizes, indices and numbers that cannot be, with a checksum that fits.
+    q = content.index(struct.pack("<q", 9 * 156)) # a vector of dofs begins with its length
+    impossible = {"cannot be read": rewritten(content, q, struct.pack("<q", 1 << 40)),
+                  "a position that": rewritten(content, q + 8, struct.pack("<d", math.nan))}
+    for words, text in impossible.items():
+        with open("bad", "wb") as file:
+            file.write(text)
+        check_refusal(words, ["bad", words], restart="bad")
+    if not os.path.exists("fifo"):
+        os.mkfifo("fifo")
+    if not os.path.islink("loop"):
+        os.symlink("loop", "loop")
+    for name in ("fifo", "/dev/zero", "loop"):
+        check_refusal(name, [name, "regular" if name != "loop" else "symbolic links"], restart=name)
     check_refusal("missing", ["absent"], restart="absent")
     check_refusal("missing, 2 ranks", ["absent"], restart="absent", ranks=2)
 

@@ -2,12 +2,16 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/input_file.h>
 
 #include <fiberloom/output/checkpoint.h>
+#include <fiberloom/output/checkpoint_archive.h>
 #include <fiberloom/output/files.h>
 
-#include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
+#include <boost/archive/impl/archive_serializer_map.ipp>
+#include <boost/archive/impl/basic_binary_iarchive.ipp>
+#include <boost/archive/impl/basic_binary_iprimitive.ipp>
 #include <boost/crc.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
@@ -22,6 +26,18 @@ BOOST_CLASS_VERSION(fiberloom::StageStatistics, 2)
 
 namespace boost
 {
+  namespace archive
+  {
+    template class detail::archive_serializer_map<fiberloom::CheckpointArchive>;
+    template class basic_binary_iprimitive<fiberloom::CheckpointArchive,
+                                           char,
+                                           std::char_traits<char>>;
+    template class basic_binary_iarchive<fiberloom::CheckpointArchive>;
+    template class binary_iarchive_impl<fiberloom::CheckpointArchive,
+                                        char,
+                                        std::char_traits<char>>;
+  } // namespace archive
+
   namespace serialization
   {
     template <class Archive>
@@ -59,6 +75,9 @@ namespace fiberloom
 
     // to be raised with every change of what is serialised
     constexpr std::uint64_t checkpoint_version = 5;
+
+    // Two million nodes take a twentieth.
+    constexpr std::uintmax_t most_bytes = 20000000000;
 
     std::string
     words(const std::initializer_list<std::uint64_t> &values)
@@ -202,13 +221,42 @@ namespace fiberloom
 
 
 
+  namespace
+  {
+    [[noreturn]] void
+    fail_as_other_file(const std::string &file)
+    {
+      throw InputError(file + ": is not a checkpoint of fiberloom, or damaged");
+    }
+
+    /** Looks at the kind of file and at its first bytes before the rest. */
+    std::string
+    read_checkpoint_file(const std::string &file)
+    {
+      std::string start(checkpoint_magic.size(), ' ');
+      try
+        {
+          std::ifstream in = open_input_file(file, most_bytes);
+          if (in.read(start.data(), start.size()) && start == checkpoint_magic)
+            return read_input_file(file, most_bytes);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(file + ": " + error.what());
+        }
+      fail_as_other_file(file);
+    }
+  } // namespace
+
+
+
   Checkpoint
   decode_checkpoint(const std::string &content,
                     const std::string &model,
                     const std::string &file)
   {
     if (content.compare(0, checkpoint_magic.size(), checkpoint_magic) != 0)
-      throw InputError(file + ": is not a checkpoint of fiberloom, or damaged");
+      fail_as_other_file(file);
 
     CheckpointReader reader(content, file);
     reader.take(checkpoint_magic.size());
@@ -235,7 +283,7 @@ namespace fiberloom
       {
         std::istringstream input(
           body.substr(sizeof(std::uint64_t) + its_model.size()));
-        boost::archive::binary_iarchive archive(input);
+        CheckpointArchive archive(input);
         archive >> checkpoint.state >> checkpoint.stages;
       }
     catch (const std::exception &)
@@ -270,7 +318,7 @@ namespace fiberloom
     if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
       try
         {
-          content = read_file(file);
+          content = read_checkpoint_file(file);
         }
       catch (const InputError &e)
         {

@@ -9,6 +9,8 @@
 
 #include <fiberloom/stages/coat.h>
 
+#include <fiberloom/output/checkpoint_checks.h>
+
 #include <fiberloom/simulation/error_estimate.h>
 #include <fiberloom/simulation/simulation.h>
 #include <fiberloom/simulation/stage_run.h>
@@ -110,6 +112,15 @@ namespace fiberloom
 
     restart =
       read_checkpoint(command_line.restart, describe_model(fibers, mesh), comm);
+    try
+      {
+        check_checkpoint(restart, mesh);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(command_line.restart + ": this checkpoint " +
+                         error.what());
+      }
     const State &before = restart.state;
     const auto  &stages = parameters.stages;
     const auto   next   = next_stage();
