@@ -11,7 +11,7 @@ import subprocess
 import sys
 import zlib
 
-from program_runs import PROGRAM, SMALL_WEAVE, check, finish, run
+from program_runs import PROGRAM, SCENES, SMALL_WEAVE, check, finish, run
 
 
 def check_refusal(what, words, *settings, directory="refused", **options):
@@ -104,6 +104,12 @@ def main():
     for setting in others:
         check_refusal(setting, ["another model"], setting, restart=good)
     check_refusal("stage order", ["weave", "Stages"], "Stages=relax, weave", restart=good)
+
+    # Between the samples that are looked at before the run, but at an increment of it.
+    done = run(os.path.join(SCENES, "turning_fibers.prm"), "nan", "Load/First step=0.0237", "Load/Largest step=0.0237",
+               "Drive upper/Translation=0; 0; -0.01*t + if(abs(t - 0.4029) < 1e-5, 1/0, 0)")
+    check(f"not finite at an increment: status {done.returncode}, {done.stderr}",
+          done.returncode == 2 and done.stderr.count("\n") == 1 and "Drive upper/Translation is not" in done.stderr)
 
     open("file", "w").close()
     check_refusal("output below a file", ["file"], directory=os.path.join("file", "below"))
