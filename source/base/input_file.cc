@@ -6,9 +6,9 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <sstream>
 
 namespace fiberloom
 {
@@ -39,12 +39,12 @@ namespace fiberloom
   std::string
   read_input_file(const std::string &file, const std::uintmax_t most_bytes)
   {
-    std::ifstream      in = open_input_file(file, most_bytes);
-    std::ostringstream content;
-    // nothing to put in is no error, an empty file
-    if (in.peek() != std::ifstream::traits_type::eof() &&
-        !(content << in.rdbuf()))
+    std::ifstream in = open_input_file(file, most_bytes);
+    in.seekg(0, std::ios::end);
+    std::string content(std::max<std::streamoff>(in.tellg(), 0), ' ');
+    in.seekg(0);
+    if (!in.read(content.data(), content.size()))
       throw InputError("cannot be read");
-    return content.str();
+    return content;
   }
 } // namespace fiberloom

@@ -218,6 +218,7 @@ namespace fiberloom
     TableReader table(file);
     FiberFile   found;
     found.ignored = table.ignored();
+    found.read    = names_read();
     for (std::size_t n = 0; table.next_row(); ++n)
       {
         if (n == FiberFile::most_points)

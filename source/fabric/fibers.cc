@@ -10,7 +10,6 @@
 #include <fiberloom/fabric/fiber_checks.h>
 #include <fiberloom/fabric/fiber_file.h>
 #include <fiberloom/fabric/fiber_set.h>
-#include <fiberloom/fabric/units.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -293,7 +292,7 @@ namespace fiberloom
         const std::vector<FiberPoints> &read = file.fibers;
         if (!file.ignored.empty())
           set.notes.push_back(source + ": ignored are " + listed(file.ignored) +
-                              "; read are " + names_read());
+                              "; read are " + file.read);
         check_size(read.size());
         for (std::size_t f = 0; f < read.size(); ++f)
           {

@@ -381,6 +381,8 @@ namespace fiberloom
     for (const Piece &piece : vtk->pieces)
       PieceReader(piece, vtk->encoding, found).read(is_poly_data);
     found.ignored = ignored_arrays(vtk->pieces);
+    for (const std::string name : FiberPoints::value_names)
+      found.read += (found.read.empty() ? "" : ", ") + name;
     return found;
   }
 } // namespace fiberloom

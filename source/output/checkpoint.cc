@@ -73,6 +73,10 @@ namespace fiberloom
   {
     const std::string checkpoint_magic = "fiberloom checkpoint\n";
 
+    // Then version, size and checksum of the rest.
+    const std::size_t size_of_start =
+      checkpoint_magic.size() + 3 * sizeof(std::uint64_t);
+
     // to be raised with every change of what is serialised
     constexpr std::uint64_t checkpoint_version = 5;
 
@@ -120,12 +124,6 @@ namespace fiberloom
         std::uint64_t value;
         std::memcpy(&value, take(sizeof(value)).data(), sizeof(value));
         return value;
-      }
-
-      bool
-      at_end() const
-      {
-        return position == content.size();
       }
 
       [[noreturn]] void
@@ -229,22 +227,48 @@ namespace fiberloom
       throw InputError(file + ": is not a checkpoint of fiberloom, or damaged");
     }
 
+    /** Of a file of @p size bytes that begins with @p start . */
+    void
+    check_start(const std::string  &start,
+                const std::uint64_t size,
+                const std::string  &file)
+    {
+      if (start.compare(0, checkpoint_magic.size(), checkpoint_magic) != 0)
+        fail_as_other_file(file);
+      CheckpointReader reader(start, file);
+      reader.take(checkpoint_magic.size());
+      const std::uint64_t version = reader.word();
+      if (version != checkpoint_version)
+        reader.fail("has format " + std::to_string(version) +
+                    ", this program reads format " +
+                    std::to_string(checkpoint_version));
+      const std::uint64_t body = reader.word();
+      reader.word();
+      if (body != size - size_of_start)
+        reader.fail(body > size - size_of_start ? "is truncated" :
+                                                  "is damaged");
+    }
+
     /** Looks at the kind of file and at its first bytes before the rest. */
     std::string
     read_checkpoint_file(const std::string &file)
     {
-      std::string start(checkpoint_magic.size(), ' ');
+      std::ifstream in;
       try
         {
-          std::ifstream in = open_input_file(file, most_bytes);
-          if (in.read(start.data(), start.size()) && start == checkpoint_magic)
-            return read_input_file(file, most_bytes);
+          in = open_input_file(file, most_bytes);
         }
       catch (const InputError &error)
         {
           throw InputError(file + ": " + error.what());
         }
-      fail_as_other_file(file);
+      std::string start(size_of_start, ' ');
+      in.read(start.data(), start.size());
+      start.resize(in.gcount());
+      in.clear();
+      in.seekg(0, std::ios::end);
+      check_start(start, in.tellg(), file);
+      return read_file(file);
     }
   } // namespace
 
@@ -255,21 +279,12 @@ namespace fiberloom
                     const std::string &model,
                     const std::string &file)
   {
-    if (content.compare(0, checkpoint_magic.size(), checkpoint_magic) != 0)
-      fail_as_other_file(file);
-
+    check_start(content, content.size(), file);
     CheckpointReader reader(content, file);
-    reader.take(checkpoint_magic.size());
-    const std::uint64_t version = reader.word();
-    if (version != checkpoint_version)
-      reader.fail("has format " + std::to_string(version) +
-                  ", this program reads format " +
-                  std::to_string(checkpoint_version));
-
-    const std::uint64_t size = reader.word();
+    reader.take(size_of_start - sizeof(std::uint64_t));
     const std::uint64_t sum  = reader.word();
-    const std::string   body = reader.take(size);
-    if (!reader.at_end() || checksum(body) != sum)
+    const std::string   body = content.substr(size_of_start);
+    if (checksum(body) != sum)
       reader.fail("is damaged");
 
     CheckpointReader  body_reader(body, file);

@@ -34,6 +34,7 @@ namespace fiberloom
 
     std::vector<FiberPoints> fibers;
     std::vector<std::string> ignored; // columns or arrays that are not read
+    std::string              read;    // names of those that are
   };
 
   /**

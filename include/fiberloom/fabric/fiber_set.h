@@ -88,7 +88,7 @@ namespace fiberloom
     std::vector<Fiber>          fibers; // fibers of one tow are consecutive
     std::vector<Tow>            tows;   // warp tows, then fill tows
     std::optional<WeavePattern> pattern;
-    std::vector<std::string>    notes; // for the user, of what was read
+    std::vector<std::string>    notes = {}; // for the user, of what was read
   };
 
   /**
