@@ -183,7 +183,7 @@ check_files()
      {drive + "set Ends = 0 end\nset Rotation = if(t<0.5,0,3); 0; 0\nend\n",
       {"line 8", "Rotation", "jumps"}},
      {drive + "set Ends = 0 end\nset Rotation = sqrt(0.5-t); 0; 0\nend\n",
-      {"line 8", "Rotation", "not finite at t = 0.505"}},
+      {"line 8", "Rotation", "not finite at t = 0.5005"}},
      {drive + "set Ends = 0 end\nend\nsubsection Load\n"
                "set Gravity = 0; 0; -9810\nend\n",
       {"line 10", "Gravity", "Fibers/Density"}},
@@ -208,6 +208,10 @@ check_files()
       {"line 8", "Hold = glued", "clamped"}},
      {drive + "set Ends = 0 end\nset Translation = 0; t\nend\n",
       {"line 8", "Translation", "2 functions"}},
+     {drive + "set Ends = 0 end\nset Force = 0; 0; 1e-6*rand()*t\nend\n",
+      {"line 8", "Force", "rand", "do not repeat"}},
+     {fibers + "set Curves = s; rand_seed(1); 0\nend\n",
+      {"line 7: Fibers/Curves", "rand_seed", "do not repeat"}},
      {drive + "set Ends = 0 end\nset Translation = 0; 0; foo*t\nend\n",
       {"line 8", "Translation", "foo"}},
      {drive + "set Ends = 0 end\nset Force = 0; 0; t\nend\n",
@@ -373,7 +377,19 @@ check_fiber_files()
   const std::vector<Case> cases = {
     {"f.csv", "", {"empty", "header"}},
     {"f.csv", "fiber,x,y\n", {"line 1", "no column z"}},
-    {"f.csv", "fiber,x,y,z,r\n", {"line 1", "\"r\"", "radius"}},
+    {"f.csv", "fiber,x,y,z,r\n", {"no fibers"}},
+    {"f.csv", "fiber,x[in],y,z\n", {"line 1", "x[in]", "unit", "mm, m, "}},
+    {"f.csv", "fiber,x[mm,y,z\n", {"line 1", "x[mm", "does not end"}},
+    {"f.csv", "fiber,x[mm],x[um],y,z\n", {"line 1", "two columns x"}},
+    {"f.csv",
+     "fiber,x,y,z,young_modulus[mm]\n",
+     {"line 1", "young_modulus[mm]", "GPa"}},
+    {"f.csv", head + "-1,0,0,0,1\n", {"line 2", "fiber = -1", "here 0"}},
+    {"f.csv", head + "0,0,0,0,1e300\n0,1,0,0,1e300\n", {"fiber 0", "radius"}},
+    {"f.csv", head + "0,0,0,0,1e-300\n0,1,0,0,1e-300\n", {"fiber 0", "lost"}},
+    {"f.csv", head + "0,1e300,0,0,1\n0,1,0,0,1\n", {"fiber 0", "farther"}},
+    {"f.csv", std::string(2000000, 'x'), {"line 1", "longer than 1000000"}},
+    {"f.csv", head + std::string(3, '\0'), {"line 2", "1 values"}},
     {"f.csv", "fiber,x,y,z,x\n", {"line 1", "two columns x"}},
     {"f.csv", head, {"no fibers"}},
     {"f.csv", head + row + "0,1,0,0\n", {"line 3", "4 values", "5"}},
@@ -395,7 +411,7 @@ check_fiber_files()
     {"f.txt", head, {"no known kind", ".csv"}},
     {"f.vtp", head, {"damaged", "XML"}},
     {"f.vtu", vtp, {"damaged", "XML"}},
-    {"f.vtp", vtp, {"cell 0 is no line"}}};
+    {"f.vtp", vtp, {"NumberOfVerts = 1", "no lines"}}};
   for (const Case &bad : cases)
     {
       std::ofstream(bad.name) << bad.text;
@@ -414,11 +430,135 @@ check_fiber_files()
     }
   expect_error("missing file of fibers",
                [] { read_all("bad.prm", {"Fibers/File=no_such.csv"}); },
-               {"--set", "no_such.csv", "no such file"});
+               {"--set", "no_such.csv", "No such file"});
   expect_error("directory as file of fibers",
                [] { read_all("bad.prm", {"Fibers/File=."}); },
-               {"--set", "cannot be read"});
+               {"--set", "directory"});
   return cases.size() + 2;
+}
+
+/** Damages of a file of VTK, each found before what is wrong is used. */
+unsigned int
+check_vtk_files()
+{
+  const std::string good =
+    "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid>\n"
+    "<Piece NumberOfPoints=\"3\" NumberOfCells=\"1\">\n"
+    "<PointData><DataArray type=\"Float64\" Name=\"radius\">1 1 1"
+    "</DataArray></PointData>\n"
+    "<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\">"
+    "0 0 0 5 0 0 9 0 0</DataArray></Points>\n<Cells>"
+    "<DataArray type=\"Int64\" Name=\"connectivity\">0 1 2</DataArray>"
+    "<DataArray type=\"Int64\" Name=\"offsets\">3</DataArray>"
+    "<DataArray type=\"UInt8\" Name=\"types\">4</DataArray>"
+    "</Cells></Piece></UnstructuredGrid></VTKFile>";
+  struct Case
+  {
+    std::string from, to;
+    Words       expected;
+  };
+  std::string deep;
+  for (unsigned int i = 0; i < 100000; ++i)
+    deep += "<a>";
+  const std::vector<Case> cases = {
+    {"0 1 2<", "0 1 1000000000000<", {"connectivity", "0 to 2"}},
+    {"0 1 2<", "0 -1000000000000 2<", {"connectivity", "0 to 2"}},
+    {"0 1 2<", "0 1 2.5<", {"connectivity", "0 to 2"}},
+    {"0 1 2<", "0 1 nan<", {"connectivity", "0 to 2"}},
+    {"0 1 2<", "0 1<", {"connectivity", "2 numbers; allowed: 3"}},
+    {"0 1 2<", "0 1 2 2<", {"connectivity", "more than 3"}},
+    {">3<", ">0<", {"offsets", "cell 0 goes from 0 to 0"}},
+    {">3<", ">-1<", {"offsets", "out of range"}},
+    {">3<", ">4<", {"connectivity", "3 numbers; allowed: 4"}},
+    {">3<", ">10000000<", {"connectivity", "3 numbers; allowed: 10000000"}},
+    {">4<", ">255<", {"cell 0", "type 255", "lines"}},
+    {">4<", ">5<", {"cell 0", "type 5"}},
+    {"Cells=\"1\"", "Cells=\"-1\"", {"NumberOfCells = -1"}},
+    {"Cells=\"1\"", "Cells=\"9000000000\"", {"NumberOfCells", "10000000"}},
+    {"Cells=\"1\"", "Cells=\"0\"", {"no fibers"}},
+    {"Points=\"3\"", "Points=\"0\"", {"no points"}},
+    {"Points=\"3\"", "Points=\"10000000\"", {"allowed: 30000000"}},
+    {"<Points>", deep, {"damaged", "within 30 others"}},
+    {"<Points>", "<Points><Points>", {"damaged", "ends where Points is open"}},
+    {"<Points>", "<Points a=\"\" a=\"\">", {"damaged", "line 4", "too many"}},
+    {"<Points>", "<Points a=b>", {"damaged", "line 4", "quotes"}},
+    {"<Points>", "<!-- ", {"damaged", "-->"}},
+    {"radius", "radius[in]", {"radius[in]", "unit"}},
+    {"Float64", "String", {"radius", "type String", "numbers"}},
+    {"1 1 1", "1 1 one", {"radius", "\"one\""}},
+    {"1 1 1", "1 1 2", {"fiber 0", "radius changes"}},
+    {"1 1 1", "1e300 1e300 1e300", {"fiber 0", "larger than its length"}},
+    {"1 1 1", "nan nan nan", {"fiber 0", "radius changes"}},
+    {"Name=\"radius\"",
+     "Name=\"radius\" NumberOfComponents=\"2\"",
+     {"2 components"}},
+    {"Name=\"radius\"",
+     "Name=\"radius\" format=\"binary\"",
+     {"radius", "truncated"}},
+    {"Name=\"radius\"",
+     "Name=\"radius\" format=\"appended\" offset=\"1\"",
+     {"offset = 1"}},
+    {"</PointData>",
+     "<DataArray Name=\"radius\" type=\"Float64\">1 1 1</DataArray>"
+     "</PointData>",
+     {"two arrays radius"}},
+    {"0 0 0 5", "0 0 1e300 5", {"fiber 0", "farther"}},
+    {"0 0 0 5", "0 0 inf 5", {"fiber 0", "point 0 is not finite"}}};
+  for (const Case &bad : cases)
+    {
+      std::string text = good;
+      text.replace(text.find(bad.from), bad.from.size(), bad.to);
+      std::ofstream("f.vtu") << text;
+      std::ofstream("bad.prm") << "set Stages = load\nset Drives = d\n"
+                                  "subsection Drive d\nset Ends = 0 start\n"
+                                  "end\nsubsection Fibers\n"
+                                  "set File = f.vtu\nend\n";
+      Words expected = bad.expected;
+      expected.push_back("bad.prm, line 7: Fibers/File");
+      expect_error(
+        "VTK: " + bad.from + " -> " + bad.to.substr(0, 30),
+        [] { read_all("bad.prm", {}); },
+        expected);
+    }
+  return cases.size();
+}
+
+/** What is no file, or none to be read, and what would steer a terminal. */
+unsigned int
+check_odd_files()
+{
+  const std::string steering = "\x1b[31m\xc2\x9b\xe2\x80\xa8\xff";
+  std::filesystem::remove("loop.prm");
+  std::filesystem::create_symlink("loop.prm", "loop.prm");
+  std::ofstream("empty.prm") << "# nothing\n";
+  std::ofstream("bad.prm") << "set " + steering + " = 1\n";
+  std::string nested;
+  for (unsigned int i = 0; i < 30000; ++i)
+    nested += "subsection A\n";
+  std::ofstream("nested.prm") << nested;
+  expect_error("loop of links",
+               [] { read_all("loop.prm", {}); },
+               {"loop.prm", "symbolic links"});
+  expect_error("device", [] { read_all("/dev/zero", {}); }, {"no regular"});
+  expect_error("nothing set",
+               [] { read_all("empty.prm", {}); },
+               {"empty.prm", "sets no entry"});
+  expect_error("30,000 sections",
+               [] { read_all("nested.prm", {}); },
+               {"nested.prm, line 11", "within 10 others"});
+  expect_error("control characters",
+               [] {
+                 try
+                   {
+                     read_all("bad.prm", {});
+                   }
+                 catch (const InputError &error)
+                   {
+                     throw InputError(one_line(error));
+                   }
+               },
+               {"entry \\x1b[31m\\xc2\\x9b\\xe2\\x80\\xa8\\xff;"});
+  return 5;
 }
 
 unsigned int
@@ -487,6 +627,8 @@ main()
   unsigned int n_cases = check_files();
   n_cases += check_long_lines();
   n_cases += check_fiber_files();
+  n_cases += check_vtk_files();
+  n_cases += check_odd_files();
   n_cases += check_overrides();
   n_cases += check_missing_files();
   n_cases += check_command_lines();

@@ -244,6 +244,68 @@ namespace
                    1e-13);
   }
 
+  /** What VTK itself has written: each way to store numbers, in um and GPa. */
+  void
+  check_encodings(Checks &checks)
+  {
+    const std::string rest =
+      "set Elements per fiber = 4\nset Interpolation = straight\n";
+    const FiberSet typed =
+      build(rest + "set Radius = 0.008, 0.009\nset Young modulus = 73000, "
+                   "70000\nset Polylines = 0 0 0, 0.5 0.1 0, 1 0 0; 0 0 1, "
+                   "1 0 1");
+    for (const std::string name : {"none_inline_wide_little.vtp",
+                                   "none_raw_narrow_big.vtu",
+                                   "zlib_inline_wide_big.vtp",
+                                   "zlib_raw_narrow_little.vtu",
+                                   "lz4_base64_wide_big.vtp",
+                                   "lzma_inline_narrow_little.vtu"})
+      {
+        const FiberSet set = build(rest + "set File = " FIBER_FILES "/" + name);
+        checks.below(name + " against the same as polylines",
+                     difference(set, typed),
+                     1e-13);
+        checks.that(name + ": an array that is not read is told",
+                    set.notes.size() == 1 &&
+                      set.notes[0].find("displacement") != std::string::npos);
+      }
+  }
+
+  /** Headings with units, and columns that are not asked for. */
+  void
+  check_units(Checks &checks)
+  {
+    const std::string rest =
+      "set Elements per fiber = 4\nset Interpolation = straight\n";
+    const FiberSet typed =
+      build(rest + "set Radius = 0.008\nset Young modulus = 73000\n"
+                   "set Polylines = 0.1 0.2 0, 0.6 0.2 0.3");
+    for (const std::string heading :
+         {"fiber,x[m],y[m],z[m],radius[m],young_modulus[Pa]|1e-4,2e-4,0,8e-6,"
+          "73e9|6e-4,2e-4,3e-4,8e-6,73e9",
+          "\xef\xbb\xbf"
+          "fiber,x (um),y [\u00b5m],z[\u03bcm],radius[nm],young_modulus[GPa]|"
+          "100,200,0,8000,73|600,200,300,8000,73",
+          "fiber[-],x[cm],y[mm],z,radius[um],young_modulus[N/mm^2]|0.01,0.2,0,"
+          "8,73000|0.06,0.2,0.3,8,73000"})
+      {
+        std::string rows = heading;
+        for (std::size_t bar; (bar = rows.find('|')) != std::string::npos;)
+          rows.replace(bar, 1, "\r\n0,");
+        std::ofstream("units.csv") << rows;
+        checks.below("units of " + heading.substr(heading.find('x'), 9),
+                     difference(build(rest + "set File = units.csv"), typed),
+                     1e-13);
+      }
+
+    std::ofstream("units.csv")
+      << "fiber,x,y,z,tex[g/km],\x1b[31m,tex\n0,0,0,0,one,,2\n0,1,0,0,1,1,1\n";
+    const FiberSet set = build("set File = units.csv");
+    checks.that("columns that are not read are told once",
+                set.notes.size() == 1 &&
+                  set.notes[0].find("tex, ") != std::string::npos);
+  }
+
   void
   check_bundle(Checks &checks)
   {
@@ -329,6 +391,8 @@ main()
   check_curves(checks);
   check_smooth_lines(checks);
   check_files(checks);
+  check_encodings(checks);
+  check_units(checks);
   check_bundle(checks);
   check_strand(checks);
 }

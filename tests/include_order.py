@@ -17,7 +17,7 @@ FOLDERS = ("base fabric beams matrix contact coupling model solvers stages outpu
 # Library, what its includes look like, and the folders or files that may see it.
 LIBRARIES = [
     ("CGAL", r"CGAL/", {"contact"}),
-    ("VTK", r"vtk\w*\.h(xx)?$", {"output", "source/fabric/vtk_fibers.cc"}),
+    ("VTK", r"vtk\w*\.h(xx)?$", {"output", "source/fabric/vtk_arrays.cc"}),
     ("MPI and Trilinos", r"(mpi\.h$|Epetra|Teuchos|Amesos|AztecOO|Belos|ml_|deal\.II/(base/mpi|lac/trilinos|distributed/))",
      set(FOLDERS) - {"fabric", "beams", "matrix", "coupling"}),
 ]
@@ -74,7 +74,7 @@ def try_on_violations():
     right = {
         "source/contact/j.cc": "<CGAL/AABB_tree.h>",
         "source/output/k.cc": "<vtkPoints.h>",
-        "source/fabric/vtk_fibers.cc": "<vtkPoints.h>",
+        "source/fabric/vtk_arrays.cc": "<vtkPoints.h>",
         "source/model/l.cc": "<deal.II/lac/trilinos_sparse_matrix.h>",
         "source/stages/m.cc": "<fiberloom/base/exceptions.h>",
     }

@@ -11,10 +11,14 @@
 #include <fiberloom/output/checkpoint.h>
 #include <fiberloom/output/files.h>
 
+#include <boost/crc.hpp>
+
 #include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <csignal>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -94,6 +98,21 @@ namespace
            a.output.log_size == b.output.log_size;
   }
 
+  // behind the first line, format, size and checksum
+  constexpr std::size_t start_of_body = 21 + 3 * 8;
+
+  /** The content with the checksum of what is behind it. */
+  std::string
+  with_checksum(std::string content)
+  {
+    boost::crc_32_type crc;
+    crc.process_bytes(content.data() + start_of_body,
+                      content.size() - start_of_body);
+    const std::uint64_t sum = crc.checksum();
+    std::memcpy(&content[start_of_body - 8], &sum, sizeof(sum));
+    return content;
+  }
+
   template <class Error>
   std::string
   message(const std::function<void()> &work)
@@ -140,6 +159,23 @@ main(int argc, char **argv)
       missed += refusal(spoilt, model) == "nothing is wrong";
     }
   out << "damages missed " << missed << "\n";
+
+  // bytes that no program wrote, but with a checksum that fits: refused, or
+  // other values, and never longer lists than the file has room for
+  unsigned int too_long = 0;
+  for (std::size_t i = start_of_body; i < content.size(); ++i)
+    for (const char bits : {0x01, 0x40, 0x7f})
+      {
+        std::string spoilt = content;
+        spoilt[i] ^= bits;
+        message<InputError>([&]() {
+          const Checkpoint other =
+            decode_checkpoint(with_checksum(spoilt), model, "file");
+          too_long += other.state.q.size() > Eigen::Index(content.size()) ||
+                      other.state.contact.zones.capacity() > content.size();
+        });
+      }
+  out << "lists believed longer than the file " << too_long << "\n";
 
   std::string other_version = content;
   other_version[21]         = 99;

@@ -23,8 +23,9 @@ namespace fiberloom
 {
   namespace
   {
-    // Points of the load at which functions are looked at.
-    constexpr unsigned int n_samples = 200;
+    // Points of the load at which functions are looked at, and at which they
+    // must be finite; what is between is found where an increment ends there.
+    constexpr unsigned int n_samples = 200, n_finite = 2000;
 
     void
     resolve_tows(TowParameters       &tows,
@@ -127,10 +128,11 @@ namespace fiberloom
       try
         {
           VectorFunction parsed(functions);
-          for (unsigned int i = 0; i <= n_samples; ++i)
-            if (!parsed.value(end * i / n_samples).allFinite())
+          for (unsigned int i = 0; i <= (parsed.is_constant() ? 0 : n_finite);
+               ++i)
+            if (!parsed.value(end * i / n_finite).allFinite())
               throw InputError("not finite at t = " +
-                               exact_text(end * i / n_samples));
+                               exact_text(end * i / n_finite));
           return parsed;
         }
       catch (const InputError &error)

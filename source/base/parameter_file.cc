@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/input_file.h>
 #include <fiberloom/base/parameter_file.h>
 
 #include <deal.II/base/utilities.h>
@@ -9,28 +10,33 @@
 #include <boost/algorithm/string.hpp>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace fiberloom
 {
   namespace
   {
+    // The longest lists of points are far shorter.
+    constexpr std::uintmax_t most_bytes = 200000000;
+
+    // Of sections in each other; those that there are take two.
+    constexpr std::size_t deepest = 10;
+
+    // Of one kind that are told.
+    constexpr std::size_t most_notes = 10;
+
     std::string
     read_text(const std::string &name)
     {
-      if (std::filesystem::is_directory(name))
-        throw InputError(name + ": is a directory, not a parameter file");
-      std::ifstream     in(name);
-      std::stringstream text;
-      if (!in)
-        throw InputError(name + ": cannot be read: " + std::strerror(errno));
-      text << in.rdbuf();
-      return text.str();
+      try
+        {
+          return read_input_file(name, most_bytes);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(name + ": " + error.what());
+        }
     }
 
     /** Without comment, with single blanks, as the parser sees the line. */
@@ -133,6 +139,11 @@ namespace fiberloom
       }
     else if (take_keyword(line, "subsection"))
       {
+        if (open_sections.size() == deepest)
+          throw InputError(location(statement.first_line) +
+                           ": a section within " + std::to_string(deepest) +
+                           " others; allowed: those that --print-parameters "
+                           "lists");
         open_sections.push_back(line);
         statement.kind = Kind::subsection;
         statement.path = path_of(open_sections);
@@ -193,6 +204,41 @@ namespace fiberloom
       {
         throw InputError(explain(error, catalogue));
       }
+    if (std::none_of(statements.begin(),
+                     statements.end(),
+                     [](const Statement &s) { return s.kind == Kind::set; }))
+      throw InputError(name +
+                       ": sets no entry; allowed: at least one line 'set "
+                       "ENTRY = VALUE', see --print-parameters");
+  }
+
+  std::vector<std::string>
+  ParameterFile::notes() const
+  {
+    std::map<std::string, unsigned int> lines;
+    std::vector<std::string>            notes;
+    std::size_t                         n_more = 0;
+    for (const Statement &statement : statements)
+      {
+        if (statement.kind != Kind::set)
+          continue;
+        const auto [former, is_new] =
+          lines.insert({statement.path, statement.first_line});
+        if (is_new)
+          continue;
+        if (notes.size() < most_notes)
+          notes.push_back(location(statement.first_line) + ": " +
+                          statement.path + " is set in line " +
+                          std::to_string(former->second) +
+                          ", too; the later one counts");
+        else
+          ++n_more;
+        former->second = statement.first_line;
+      }
+    if (n_more > 0)
+      notes.push_back(name + ": " + std::to_string(n_more) +
+                      " more entries are set twice");
+    return notes;
   }
 
   std::string

@@ -108,6 +108,7 @@ namespace fiberloom
     parameters.source    = file;
     parameters.locations = parameter_file.locations();
     parameters.drives    = find_drives(parameter_file, overrides);
+    parameters.notes     = parameter_file.notes();
     check_drive_names(parameters.drives, parameters.where("Drives"));
 
     ParameterCatalogue catalogue;
@@ -130,7 +131,11 @@ namespace fiberloom
       {
         const Override entry(text);
         catalogue.set(entry.path, entry.value, entry.origin);
-        locations[entry.path] = entry.origin;
+        std::string &location = locations[entry.path];
+        if (location.rfind("--set", 0) == 0)
+          notes.push_back(entry.origin + ": " + location +
+                          " is given, too; the later one counts");
+        location = entry.origin;
       }
   }
 

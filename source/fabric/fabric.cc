@@ -5,6 +5,7 @@
 #include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
+#include <fiberloom/fabric/fiber_checks.h>
 #include <fiberloom/fabric/fiber_set.h>
 #include <fiberloom/fabric/tow_packing.h>
 
@@ -120,6 +121,23 @@ namespace fiberloom
                          rounded_up(crossing.half_width));
     }
 
+    void
+    check_tow(const Fiber      &fiber,
+              const Family     &family,
+              const Parameters &parameters)
+    {
+      try
+        {
+          check_proportions(fiber);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(
+            parameters.where(family.section + "Tow spacing") +
+            ", or Fiber radius, Overhang or Young modulus: " + error.what());
+        }
+    }
+
     Fiber
     straight_fiber(const Family      &family,
                    const unsigned int tow,
@@ -202,6 +220,10 @@ namespace fiberloom
 
     add_tows(warp, set);
     add_tows(fill, set);
+    for (const Tow &tow : set.tows)
+      check_tow(set.fibers[tow.fibers[0]],
+                tow.family == Tow::Family::warp ? warp : fill,
+                parameters);
     return set;
   }
 

@@ -15,6 +15,10 @@ namespace fiberloom
 {
   namespace
   {
+    // What lies beyond is no fiber, and its powers no numbers [mm], [MPa].
+    constexpr double farthest = 1e6, thinnest = 1e-9, softest = 1e-12,
+                     stiffest = 1e15;
+
     template <class Nodes>
     void
     check_bends_of(const Nodes &nodes, const double radius)
@@ -128,6 +132,43 @@ namespace fiberloom
       return all;
     }
   } // namespace
+
+
+
+  void
+  check_place(const Vector3 &point, const std::string &name)
+  {
+    if (!(point.cwiseAbs().maxCoeff() <= farthest))
+      throw InputError(name + " is farther than " + exact_text(farthest) +
+                       " mm from the origin; allowed: nearer points");
+  }
+
+
+
+  void
+  check_proportions(const Fiber &fiber)
+  {
+    double length = 0;
+    for (std::size_t n = 0; n < fiber.centers.size(); ++n)
+      {
+        check_place(fiber.centers[n], "node " + std::to_string(n));
+        if (n > 0)
+          length += (fiber.centers[n] - fiber.centers[n - 1]).norm();
+      }
+    if (!(fiber.radius <= length))
+      throw InputError("its radius, " + exact_text(fiber.radius) +
+                       ", is larger than its length, " + exact_text(length) +
+                       "; allowed: a smaller radius");
+    if (!(fiber.radius >= thinnest * length))
+      throw InputError("its radius, " + exact_text(fiber.radius) +
+                       ", is lost beside its length, " + exact_text(length) +
+                       "; allowed: at least " + exact_text(thinnest) +
+                       " times the length");
+    if (!(fiber.young_modulus >= softest && fiber.young_modulus <= stiffest))
+      throw InputError("its Young modulus, " + exact_text(fiber.young_modulus) +
+                       ", is that of no fiber; allowed: from " +
+                       exact_text(softest) + " to " + exact_text(stiffest));
+  }
 
 
 

@@ -15,6 +15,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -46,9 +47,22 @@ namespace fiberloom
       return line;
     }
 
+    /** The first ones of @p names . */
+    std::string
+    listed(const std::vector<std::string> &names)
+    {
+      constexpr std::size_t most = 20;
+      std::string           list;
+      for (std::size_t n = 0; n < std::min(names.size(), most); ++n)
+        list += (n > 0 ? ", " : "") + names[n].substr(0, 50);
+      return list + (names.size() > most ? ", ..." : "");
+    }
+
     void
     check_points(const Polyline &line)
     {
+      for (std::size_t i = 0; i < line.size(); ++i)
+        check_place(line[i], "point " + std::to_string(i));
       if (line.size() < 2)
         throw InputError("it has " + std::to_string(line.size()) +
                          " points; allowed: two or more");
@@ -232,6 +246,7 @@ namespace fiberloom
         fiber.centers      = free.centers;
         fiber.directions_1 = free.directions_1;
         fiber.directions_2 = free.directions_2;
+        check_proportions(fiber);
         check_bends(fiber);
         set.tows.push_back({Tow::Family::none,
                             number,
@@ -272,8 +287,12 @@ namespace fiberloom
       void
       add_file()
       {
-        std::vector<FiberPoints> read;
-        explained(source, [&] { read = read_fiber_file(fibers.file); });
+        FiberFile file;
+        explained(source, [&] { file = read_fiber_file(fibers.file); });
+        const std::vector<FiberPoints> &read = file.fibers;
+        if (!file.ignored.empty())
+          set.notes.push_back(source + ": ignored are " + listed(file.ignored) +
+                              "; read are " + file.read);
         check_size(read.size());
         for (std::size_t f = 0; f < read.size(); ++f)
           {

@@ -84,6 +84,7 @@ namespace fiberloom
     const auto named = named_weaves.find(name);
     if (named != named_weaves.end())
       {
+        tows_of_period = named->second.period;
         for (unsigned int fill = 0; fill < n_fill_tows; ++fill)
           for (unsigned int warp = 0; warp < n_warp_tows; ++warp)
             above[fill][warp] = named->second.warp_above(warp, fill);

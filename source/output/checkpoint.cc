@@ -2,12 +2,16 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/input_file.h>
 
 #include <fiberloom/output/checkpoint.h>
+#include <fiberloom/output/checkpoint_archive.h>
 #include <fiberloom/output/files.h>
 
-#include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
+#include <boost/archive/impl/archive_serializer_map.ipp>
+#include <boost/archive/impl/basic_binary_iarchive.ipp>
+#include <boost/archive/impl/basic_binary_iprimitive.ipp>
 #include <boost/crc.hpp>
 #include <boost/serialization/map.hpp>
 #include <boost/serialization/string.hpp>
@@ -24,6 +28,18 @@ BOOST_CLASS_VERSION(fiberloom::StageStatistics, 2)
 
 namespace boost
 {
+  namespace archive
+  {
+    template class detail::archive_serializer_map<fiberloom::CheckpointArchive>;
+    template class basic_binary_iprimitive<fiberloom::CheckpointArchive,
+                                           char,
+                                           std::char_traits<char>>;
+    template class basic_binary_iarchive<fiberloom::CheckpointArchive>;
+    template class binary_iarchive_impl<fiberloom::CheckpointArchive,
+                                        char,
+                                        std::char_traits<char>>;
+  } // namespace archive
+
   namespace serialization
   {
     template <class Archive>
@@ -66,8 +82,15 @@ namespace fiberloom
   {
     const std::string checkpoint_magic = "fiberloom checkpoint\n";
 
+    // Then version, size and checksum of the rest.
+    const std::size_t size_of_start =
+      checkpoint_magic.size() + 3 * sizeof(std::uint64_t);
+
     // to be raised with every change of what is serialised
     constexpr std::uint64_t checkpoint_version = 6;
+
+    // Two million nodes take a twentieth.
+    constexpr std::uintmax_t most_bytes = 20000000000;
 
     std::string
     words(const std::initializer_list<std::uint64_t> &values)
@@ -110,12 +133,6 @@ namespace fiberloom
         std::uint64_t value;
         std::memcpy(&value, take(sizeof(value)).data(), sizeof(value));
         return value;
-      }
-
-      bool
-      at_end() const
-      {
-        return position == content.size();
       }
 
       [[noreturn]] void
@@ -212,26 +229,72 @@ namespace fiberloom
 
 
 
+  namespace
+  {
+    [[noreturn]] void
+    fail_as_other_file(const std::string &file)
+    {
+      throw InputError(file + ": is not a checkpoint of fiberloom, or damaged");
+    }
+
+    /** Of a file of @p size bytes that begins with @p start . */
+    void
+    check_start(const std::string  &start,
+                const std::uint64_t size,
+                const std::string  &file)
+    {
+      if (start.compare(0, checkpoint_magic.size(), checkpoint_magic) != 0)
+        fail_as_other_file(file);
+      CheckpointReader reader(start, file);
+      reader.take(checkpoint_magic.size());
+      const std::uint64_t version = reader.word();
+      if (version != checkpoint_version)
+        reader.fail("has format " + std::to_string(version) +
+                    ", this program reads format " +
+                    std::to_string(checkpoint_version));
+      const std::uint64_t body = reader.word();
+      reader.word();
+      if (body != size - size_of_start)
+        reader.fail(body > size - size_of_start ? "is truncated" :
+                                                  "is damaged");
+    }
+
+    /** Looks at the kind of file and at its first bytes before the rest. */
+    std::string
+    read_checkpoint_file(const std::string &file)
+    {
+      std::ifstream in;
+      try
+        {
+          in = open_input_file(file, most_bytes);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(file + ": " + error.what());
+        }
+      std::string start(size_of_start, ' ');
+      in.read(start.data(), start.size());
+      start.resize(in.gcount());
+      in.clear();
+      in.seekg(0, std::ios::end);
+      check_start(start, in.tellg(), file);
+      return read_file(file);
+    }
+  } // namespace
+
+
+
   Checkpoint
   decode_checkpoint(const std::string &content,
                     const std::string &model,
                     const std::string &file)
   {
-    if (content.compare(0, checkpoint_magic.size(), checkpoint_magic) != 0)
-      throw InputError(file + ": is not a checkpoint of fiberloom, or damaged");
-
+    check_start(content, content.size(), file);
     CheckpointReader reader(content, file);
-    reader.take(checkpoint_magic.size());
-    const std::uint64_t version = reader.word();
-    if (version != checkpoint_version)
-      reader.fail("has format " + std::to_string(version) +
-                  ", this program reads format " +
-                  std::to_string(checkpoint_version));
-
-    const std::uint64_t size = reader.word();
+    reader.take(size_of_start - sizeof(std::uint64_t));
     const std::uint64_t sum  = reader.word();
-    const std::string   body = reader.take(size);
-    if (!reader.at_end() || checksum(body) != sum)
+    const std::string   body = content.substr(size_of_start);
+    if (checksum(body) != sum)
       reader.fail("is damaged");
 
     CheckpointReader  body_reader(body, file);
@@ -245,7 +308,7 @@ namespace fiberloom
       {
         std::istringstream input(
           body.substr(sizeof(std::uint64_t) + its_model.size()));
-        boost::archive::binary_iarchive archive(input);
+        CheckpointArchive archive(input);
         archive >> checkpoint.state >> checkpoint.stages >> checkpoint.run >>
           checkpoint.output;
       }
@@ -281,7 +344,7 @@ namespace fiberloom
     if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
       try
         {
-          content = read_file(file);
+          content = read_checkpoint_file(file);
         }
       catch (const InputError &e)
         {

@@ -5,7 +5,11 @@
 #include <fiberloom/base/memory.h>
 #include <fiberloom/base/scoped_timer.h>
 
+#include <fiberloom/fabric/input_notes.h>
+
 #include <fiberloom/stages/coat.h>
+
+#include <fiberloom/output/checkpoint_checks.h>
 
 #include <fiberloom/simulation/error_estimate.h>
 #include <fiberloom/simulation/simulation.h>
@@ -174,6 +178,15 @@ namespace fiberloom
 
     restart =
       read_checkpoint(command_line.restart, describe_model(fibers, mesh), comm);
+    try
+      {
+        check_checkpoint(restart, mesh);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(command_line.restart + ": this checkpoint " +
+                         error.what());
+      }
     const State &before = restart.state;
     const auto  &stages = parameters.stages;
     const auto   next   = next_stage();
@@ -325,7 +338,7 @@ namespace fiberloom
     check_junctions(parameters, mesh);
     State state = initial_state();
     // Where coating comes first, what is wrong with it shows at once.
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = input_notes(parameters, fibers);
     if (state.stage < parameters.stages.size() &&
         parameters.stages[state.stage] == "coat" && state.matrix.is_empty())
       notes.push_back(add_matrix(parameters, mesh, state));

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
 #include <fiberloom/coupling/hold.h>
@@ -341,6 +342,20 @@ namespace fiberloom
 
 
 
+  Vector3
+  Load::finite_value(const VectorFunction &function,
+                     const double          t,
+                     const std::string    &entry) const
+  {
+    const Vector3 value = function.value(t);
+    if (!value.allFinite())
+      throw StageFailure(scene.parameters.where(entry) +
+                         " is not finite at t = " + exact_text(t));
+    return value;
+  }
+
+
+
   std::vector<BodyTarget>
   Load::targets(const std::vector<Placement> &start, const double load) const
   {
@@ -350,10 +365,15 @@ namespace fiberloom
       {
         const Drive &drive  = drives[d];
         Placement   &target = targets[d].placement;
-        target.position     = start[d].position + drive.translation.value(t);
+        const auto   at     = [&](const VectorFunction &function,
+                            const std::string    &name) {
+          return finite_value(function, t, drive.entry(name));
+        };
+        target.position =
+          start[d].position + at(drive.translation, "Translation");
         target.rotation =
-          rotation_by(drive.rotation.value(t)) * start[d].rotation;
-        targets[d].load << drive.force.value(t), drive.moment.value(t);
+          rotation_by(at(drive.rotation, "Rotation")) * start[d].rotation;
+        targets[d].load << at(drive.force, "Force"), at(drive.moment, "Moment");
       }
     return targets;
   }
@@ -365,9 +385,9 @@ namespace fiberloom
   {
     if (!is_loaded)
       return {};
-    const double         t          = load * scene.parameters.load.end;
-    const Vector3        per_length = line_load.value(t);
-    const Vector3        per_mass   = gravity.value(t);
+    const double  t          = load * scene.parameters.load.end;
+    const Vector3 per_length = finite_value(line_load, t, "Load/Line load");
+    const Vector3 per_mass   = finite_value(gravity, t, "Load/Gravity");
     std::vector<Vector3> forces;
     for (unsigned int n = 0; n < length_of_node.size(); ++n)
       forces.push_back(length_of_node[n] * per_length +

@@ -28,9 +28,16 @@ namespace fiberloom
   };
 
   /**
-   * What @p exception says, on one line. Of deal.II's exceptions this is the
-   * sentence that explains them, without place and stack trace; of memory that
-   * is not to be had, how much was.
+   * @p text for a screen: what would steer a terminal or is no UTF-8 as bytes,
+   * such as \\x1b.
+   */
+  std::string
+  printable(const std::string &text);
+
+  /**
+   * What @p exception says, on one printable line. Of deal.II's exceptions this
+   * is the sentence that explains them, without place and stack trace; of
+   * memory that is not to be had, how much was.
    */
   std::string
   one_line(const std::exception &exception);

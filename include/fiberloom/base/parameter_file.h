@@ -21,11 +21,13 @@ namespace fiberloom
   public:
     /**
      * Reads the file. Throws InputError if that fails, if a subsection has no
-     * end, and for 'include', whose lines could not be named.
+     * end or lies deeper than any that there is, and for 'include', whose lines
+     * could not be named.
      */
     explicit ParameterFile(const std::string &name);
 
-    /** Throws InputError with one line that says where and what is allowed. */
+    /** Throws InputError with one line that says where and what is allowed,
+     * also where nothing is set. */
     void
     parse_into(ParameterCatalogue &catalogue) const;
 
@@ -36,6 +38,10 @@ namespace fiberloom
     /** For each entry that is set its path and "FILE, line N". */
     std::map<std::string, std::string>
     locations() const;
+
+    /** A line for each entry that is set twice. */
+    std::vector<std::string>
+    notes() const;
 
   private:
     enum class Kind

@@ -271,6 +271,9 @@ namespace fiberloom
     SolverParameters             solver;
     OutputParameters             output;
 
+    // Of what was read: for the user, but no reason to refuse it.
+    std::vector<std::string> notes;
+
     bool
     has_matrix() const
     {

@@ -19,7 +19,7 @@ namespace fiberloom
     /**
      * @p text holds @p n_functions functions with semicolons between of the
      * @p variables , which have commas between; pi is known, too. Throws
-     * InputError with what the parser says.
+     * InputError with what the parser says, and for random numbers.
      */
     ParsedFunctions(const std::string &text,
                     const unsigned int n_functions,

@@ -22,6 +22,13 @@ namespace fiberloom
     Vector3
     value(const double t) const;
 
+    /** Whether it does not depend on t. */
+    bool
+    is_constant() const
+    {
+      return constant;
+    }
+
     /** Where in [0, @p end ] the vector is longest. */
     double
     time_of_largest(const double end) const;

@@ -6,8 +6,22 @@
 
 #include <fiberloom/fabric/fiber_set.h>
 
+#include <string>
+
 namespace fiberloom
 {
+  /** Throws InputError for what is not finite or further than any sample. */
+  void
+  check_place(const Vector3 &point, const std::string &name);
+
+  /**
+   * Throws InputError when the radius is longer than the fiber, or so small,
+   * and when the place or the modulus is so large, that computing with them
+   * makes no sense.
+   */
+  void
+  check_proportions(const Fiber &fiber);
+
   /**
    * Throws InputError when a bend between two nodes is narrower than the
    * radius of the fiber.

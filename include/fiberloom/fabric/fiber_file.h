@@ -7,6 +7,7 @@
 #include <fiberloom/fabric/curve.h>
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,12 +25,24 @@ namespace fiberloom
     std::array<std::optional<double>, 3> values; // [mm], [MPa], -
   };
 
+  /** What a file of fibers holds. */
+  struct FiberFile
+  {
+    // Before anything of the size that a file claims is asked for.
+    static constexpr std::uintmax_t most_bytes  = 2000000000;
+    static constexpr std::size_t    most_points = 10000000;
+
+    std::vector<FiberPoints> fibers;
+    std::vector<std::string> ignored; // columns or arrays that are not read
+    std::string              read;    // names of those that are
+  };
+
   /**
    * The fibers of @p file , by its name's end a table (.csv) or lines of VTK
    * (.vtp, .vtu). Throws InputError for a file that cannot be read and for
    * values that are no numbers or impossible; points may still coincide.
    */
-  std::vector<FiberPoints>
+  FiberFile
   read_fiber_file(const std::string &file);
 } // namespace fiberloom
 

@@ -9,6 +9,7 @@
 #include <fiberloom/fabric/weave_pattern.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace fiberloom
@@ -87,6 +88,7 @@ namespace fiberloom
     std::vector<Fiber>          fibers; // fibers of one tow are consecutive
     std::vector<Tow>            tows;   // warp tows, then fill tows
     std::optional<WeavePattern> pattern;
+    std::vector<std::string>    notes = {}; // for the user, of what was read
   };
 
   /**

@@ -10,10 +10,11 @@ namespace fiberloom
 {
   /**
    * The lines of a file .vtp or .vtu, each cell a fiber. Values come from
-   * arrays of cells or of points, which then must not change along a fiber.
-   * Throws InputError.
+   * arrays of cells or of points, which then must not change along a fiber; a
+   * unit may follow their names. All counts, types and ranges are checked
+   * before they are used. Throws InputError.
    */
-  std::vector<FiberPoints>
+  FiberFile
   read_vtk_fibers(const std::string &file);
 } // namespace fiberloom
 

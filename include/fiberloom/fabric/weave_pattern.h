@@ -34,8 +34,16 @@ namespace fiberloom
       return above[fill][warp];
     }
 
+    /** Of a weave with a name; 0 for rows. */
+    unsigned int
+    period() const
+    {
+      return tows_of_period;
+    }
+
   private:
     std::vector<std::vector<bool>> above; // [fill][warp]
+    unsigned int                   tows_of_period = 0;
   };
 } // namespace fiberloom
 

@@ -109,6 +109,12 @@ namespace fiberloom
     void
     distribute_loads();
 
+    /** Of the function of @p entry ; throws StageFailure where it is none. */
+    Vector3
+    finite_value(const VectorFunction &function,
+                 const double          t,
+                 const std::string    &entry) const;
+
     std::vector<Drive>       drives;
     std::vector<FiberPoint>  probes;
     VectorFunction           line_load, gravity;
