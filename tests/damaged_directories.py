@@ -71,7 +71,7 @@ def check_identity():
     killed.send_signal(signal.SIGKILL)
     killed.wait()
     check_refused("killed before its first checkpoint", run(SMALL_WEAVE, "used", *WOVEN, other, restart=checkpoint),
-                  "no such file")
+                  "No such file")
     kept = os.path.join("used", "checkpoint.before")
     check("  the one before is kept", os.path.exists(kept) and "checkpoint.before" in content("used", "log.txt"))
     check("  and can be gone on from", run(SMALL_WEAVE, "on", "Stages=weave, relax, biaxial", restart=kept).returncode == 0)
