@@ -9,6 +9,7 @@
 #include <fiberloom/contact/contact_generator.h>
 #include <fiberloom/contact/contact_law.h>
 #include <fiberloom/contact/contact_potential.h>
+#include <fiberloom/contact/passage.h>
 #include <fiberloom/contact/zone_class.h>
 
 #include <algorithm>
@@ -617,6 +618,18 @@ namespace fiberloom
               slip - contact.normal * contact.normal.dot(slip);
           }
       }
+  }
+
+
+
+  bool
+  ContactGenerator::may_pass(const DofVector &before,
+                             const DofVector &after) const
+  {
+    return searches() && fiberloom::may_pass(mesh,
+                                             search.meeting(before, after),
+                                             before,
+                                             after);
   }
 
 

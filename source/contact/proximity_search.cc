@@ -7,6 +7,7 @@
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +56,19 @@ namespace fiberloom
     if (!valid)
       search(q);
     return found;
+  }
+
+
+
+  bool
+  ProximitySearch::counts(const FiberMesh::Line &line,
+                          const unsigned int     first,
+                          const unsigned int     second) const
+  {
+    const double apart =
+      (static_cast<double>(second) - static_cast<double>(first) - 1) *
+      line.length / (line.n_nodes() - 1);
+    return self_contact && apart >= 2 * M_PI * line.radius;
   }
 
 
@@ -168,10 +182,7 @@ namespace fiberloom
               continue;
             if (other.fiber == fiber)
               {
-                const double apart = (static_cast<double>(other.piece) -
-                                      static_cast<double>(piece) - 1) *
-                                     line.length / (line.n_nodes() - 1);
-                if (!self_contact || apart < 2 * M_PI * line.radius)
+                if (!counts(line, piece, other.piece))
                   continue;
               }
             found.push_back({{{fiber, other.fiber}}, {{piece, other.piece}}});
@@ -184,5 +195,41 @@ namespace fiberloom
                 return std::tie(a.fibers, a.pieces) <
                        std::tie(b.fibers, b.pieces);
               });
+  }
+
+
+
+  std::vector<CandidatePair>
+  ProximitySearch::meeting(const DofVector &before,
+                           const DofVector &after) const
+  {
+    using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, Owner>;
+    std::vector<Box> boxes;
+    for (unsigned int f = 0; f < mesh.lines().size(); ++f)
+      for (unsigned int k = 0; k + 1 < mesh.lines()[f].n_nodes(); ++k)
+        {
+          CGAL::Bbox_3 box;
+          for (const DofVector *q : {&before, &after})
+            for (unsigned int n = 0; n < 2; ++n)
+              {
+                const Vector3 x =
+                  q->segment<3>(9 * (mesh.lines()[f].first_node + k + n));
+                box += CGAL::Bbox_3(x[0], x[1], x[2], x[0], x[1], x[2]);
+              }
+          boxes.emplace_back(box, Owner{f, k});
+        }
+
+    std::vector<CandidatePair> pairs;
+    CGAL::box_self_intersection_d(
+      boxes.begin(), boxes.end(), [&](const Box &a, const Box &b) {
+        Owner one = a.info(), other = b.info();
+        if (std::tie(other.fiber, other.piece) < std::tie(one.fiber, one.piece))
+          std::swap(one, other);
+        if (one.fiber != other.fiber ||
+            counts(mesh.lines()[one.fiber], one.piece, other.piece))
+          pairs.push_back(
+            {{{one.fiber, other.fiber}}, {{one.piece, other.piece}}});
+      });
+    return pairs;
   }
 } // namespace fiberloom

@@ -138,6 +138,7 @@ namespace fiberloom
   StageRun::take_increment(State &state)
   {
     const SolverParameters &solver = scene.parameters.solver;
+    bool                    passed = false; // in an attempt
     for (unsigned int cuts = 0;; ++cuts)
       {
         // A rest that would be tiny is taken along.
@@ -176,12 +177,13 @@ namespace fiberloom
         const bool tiny = std::ldexp(state.step, 2 * solver.largest_cuts) <
                           stage.largest_step();
         ++statistics.rejected_increments;
+        passed = passed || equilibrium.ends_passed();
         if (cuts == solver.largest_cuts || tiny)
           throw StageFailure("stage " + name + " stops at load " +
                              (boost::format("%.4f") % state.load).str() +
                              ": the increment failed after " +
                              std::to_string(cuts) + " cuts" +
-                             (tiny ? ", tiny as it is" : "") + advice());
+                             (tiny ? ", tiny as it is" : "") + advice(passed));
         state.step /= 2;
         log.write((boost::format("  %-8s increment to load %.4f failed, cut "
                                  "to %.2e") %
@@ -193,8 +195,12 @@ namespace fiberloom
 
 
   std::string
-  StageRun::advice() const
+  StageRun::advice(const bool passed) const
   {
+    if (passed)
+      return ", on whose way fibers would pass through each other; what moves "
+             "them has to lead around, or a smaller \"Largest penetration\" may "
+             "hold them";
     if (equilibrium.ends_folded())
       return ", where elements of a fiber have folded or sections have given "
              "way; a smaller \"Largest move\" or longer elements may help";

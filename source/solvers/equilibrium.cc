@@ -345,6 +345,20 @@ namespace fiberloom
   bool
   Equilibrium::solve(State &state, const Problem &problem)
   {
+    passed = false;
+    if (!find(state, problem))
+      return false;
+    // Only a weave turns sides, as its pattern says.
+    passed =
+      !problem.rule.from_above && generator.may_pass(problem.before.q, state.q);
+    return !passed;
+  }
+
+
+
+  bool
+  Equilibrium::find(State &state, const Problem &problem)
+  {
     folded = false;
     if (!extrapolate(state, problem))
       return false;

@@ -88,6 +88,11 @@ namespace fiberloom
       return search.is_needed();
     }
 
+    /** Whether fibers may have passed through each other on the way between two
+     * placements, see may_pass(). */
+    bool
+    may_pass(const DofVector &before, const DofVector &after) const;
+
     /** Searches for candidates done so far. */
     unsigned int
     n_searches() const

@@ -52,6 +52,11 @@ namespace fiberloom
     const std::vector<CandidatePair> &
     candidates(const DofVector &q);
 
+    /** Pieces whose boxes overlap at some time while all nodes go straight from
+     * @p before to @p after . */
+    std::vector<CandidatePair>
+    meeting(const DofVector &before, const DofVector &after) const;
+
     /** Trees that were built and asked so far. */
     unsigned int
     n_searches() const
@@ -67,6 +72,12 @@ namespace fiberloom
      * far enough to come back to itself: then there is nothing to find. */
     bool
     may_find(const DofVector &q) const;
+
+    /** Whether two pieces of one fiber are far enough apart along it. */
+    bool
+    counts(const FiberMesh::Line &line,
+           const unsigned int     first,
+           const unsigned int     second) const;
 
     bool
     may_touch_itself(const DofVector &q, const FiberMesh::Line &line) const;

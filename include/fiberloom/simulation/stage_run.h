@@ -59,9 +59,10 @@ namespace fiberloom
     void
     take_increment(State &state);
 
-    /** What may help where increments fail, for the message. */
+    /** What may help where increments fail, for the message; @p passed :
+     * whether fibers would have passed through each other in one. */
     std::string
-    advice() const;
+    advice(const bool passed) const;
 
     void
     accept(State &state, State &&found, const double load);

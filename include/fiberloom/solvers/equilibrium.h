@@ -53,7 +53,8 @@ namespace fiberloom
     /**
      * Moves @p state , which is the last accepted one, to equilibrium by the
      * nested loops or, where they do not contract, by solve_in_one_loop().
-     * False, with @p state spoilt, if neither does it.
+     * False, with @p state spoilt, if neither does it, or if fibers may have
+     * passed through each other on the way.
      */
     bool
     solve(State &state, const Problem &problem);
@@ -118,7 +119,18 @@ namespace fiberloom
       return folded;
     }
 
+    /** Whether that was why the last increment was not accepted. */
+    bool
+    ends_passed() const
+    {
+      return passed;
+    }
+
   private:
+    /** As solve(), whatever the fibers may have passed. */
+    bool
+    find(State &state, const Problem &problem);
+
     bool
     newton(State &state, const Problem &problem, const double tolerance);
 
@@ -201,6 +213,7 @@ namespace fiberloom
     double last_cut             = 1; // by the last line search
     int    last_negative_pivots = 0;
     bool   folded               = false;
+    bool   passed               = false;
 
     unsigned int n_yardsticks = 0; // whose mean is in the statistics
   };
