@@ -49,6 +49,7 @@ namespace fiberloom
       CurveRow begun; // the curve's row where the stage began, without forces
       CurveRow curve;
       double   penetration = 0; // [mm]
+      double   unresolved  = 0; // force that the solver leaves [N]
     };
 
     /** What some iterations make of @p found with other parameters. */
@@ -106,7 +107,10 @@ namespace fiberloom
                            std::vector<BodyVector>(supports.bodies.size(),
                                                    BodyVector::Zero())),
               stage->curve(state, system.reactions()),
-              mean_penetration(contacts)};
+              mean_penetration(contacts),
+              contacts.empty() ?
+                parameters.solver.newton_tolerance * system.force_scale() :
+                0};
     }
 
     std::string
@@ -124,7 +128,8 @@ namespace fiberloom
     /**
      * Largest change of the columns of a unit since the stage began, forces
      * counted from zero; units in which nothing to speak of happens are left
-     * out, @p radius being that of a fiber.
+     * out, @p radius being that of a fiber, and forces that are mostly what the
+     * solver leaves.
      */
     std::map<std::string, double>
     scales(const Outcome &outcome, const double radius)
@@ -138,7 +143,10 @@ namespace fiberloom
         }
       const double                                      force = largest["[N]"];
       const std::vector<std::pair<std::string, double>> usual{
-        {"[N]", 0}, {"[N.mm]", force * radius}, {"[mm]", radius}, {"[rad]", 1}};
+        {"[N]", outcome.unresolved / (least_scale * least_scale)},
+        {"[N.mm]", force * radius},
+        {"[mm]", radius},
+        {"[rad]", 1}};
       std::map<std::string, double> scales;
       for (const auto &[name, value] : usual)
         if (largest[name] > least_scale * value)
@@ -184,7 +192,7 @@ namespace fiberloom
       {
         const Outcome now   = solve_with({});
         const auto    scale = scales(now, scene.mesh.smallest_radius());
-        if (scale.count("[N]") == 0)
+        if (scale.count("[N]") + scale.count("[N.mm]") == 0)
           return {};
         const Outcome        finer = solve_with({2, 1, 1});
         const Eigen::ArrayXd mesh = of_second_order * change(now, finer, scale);
