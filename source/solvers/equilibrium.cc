@@ -105,8 +105,8 @@ namespace fiberloom
     , linear_solver(system, parameters.solver.linear_solver)
     , statistics(statistics)
     , watch(std::move(watch))
-    , damping(mesh)
     , increment(mesh, parameters.solver, generator, system, statistics)
+    , damping(mesh)
     , by_newton(mesh,
                 system,
                 linear_solver,

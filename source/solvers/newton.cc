@@ -256,7 +256,7 @@ namespace fiberloom
       solve_linear(state, tolerance, damping, Indefinite::shifted, step);
 
     for (unsigned int k = 0; k < most_predictions && std::isfinite(step.move) &&
-                             predict_closing(state, problem, step) > 0;
+                             predict_closing(state, step) > 0;
          ++k)
       {
         // Contacts that are predicted pull as well as push: what they make of
@@ -275,7 +275,7 @@ namespace fiberloom
 
 
   unsigned int
-  Newton::predict_closing(const State &state, const Problem &, const Step &step)
+  Newton::predict_closing(const State &state, const Step &step)
   {
     ScopedTimer  timer(statistics.seconds.assembly);
     const State  ahead = moved(state, step.increment, longest(step));

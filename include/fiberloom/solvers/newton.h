@@ -105,9 +105,7 @@ namespace fiberloom
 
     /** Contacts that @p step closes take part in the system; how many. */
     unsigned int
-    predict_closing(const State   &state,
-                    const Problem &problem,
-                    const Step    &step);
+    predict_closing(const State &state, const Step &step);
 
     /** A step whose friction limits follow, if that brings the regenerated
      * problem nearer to balance. */
