@@ -587,7 +587,12 @@ namespace fiberloom
         if (contact.following != ContactElement::Points::fixed)
           {
             normal_energy(contact, mesh, q);
-            place_at(contact, contact.u);
+            // Points that cannot be followed stay where they were found: a
+            // contact that is dropped would leave its force out of balance.
+            if (contact.lost)
+              contact.following = ContactElement::Points::fixed;
+            else
+              place_at(contact, contact.u);
           }
         set_normal(contact, q, state);
         const SectionPair x = section_pair(contact, q);

@@ -180,6 +180,31 @@ namespace fiberloom
 
 
 
+  namespace
+  {
+    /** Of the contact's friction and, where its points follow, of the normal
+     * contact; some may come twice. */
+    void
+    append_nodes(const FiberMesh           &mesh,
+                 const ContactElement      &contact,
+                 std::vector<unsigned int> &nodes)
+    {
+      for (unsigned int s = 0; s < 2; ++s)
+        {
+          for (unsigned int a = 0; a < 3; ++a)
+            nodes.push_back(contact.first_nodes[s] + a);
+          if (contact.following == ContactElement::Points::fixed)
+            continue;
+          const LineWeights weights(mesh.lines()[contact.fibers[s]],
+                                    contact.u[s]);
+          for (unsigned int a = 0; a < weights.n; ++a)
+            nodes.push_back(weights.first_node + a);
+        }
+    }
+  } // namespace
+
+
+
   void
   System::reinit(const std::vector<ContactElement> &contacts)
   {
@@ -190,17 +215,8 @@ namespace fiberloom
     auto                      pattern = element_pattern;
     for (const ContactElement &contact : contacts)
       {
-        const unsigned int i = contact.first_nodes[0],
-                           j = contact.first_nodes[1];
-        blocks               = {i, i + 1, i + 2, j, j + 1, j + 2};
-        if (contact.following != ContactElement::Points::fixed)
-          for (unsigned int s = 0; s < 2; ++s)
-            {
-              const LineWeights weights(mesh.lines()[contact.fibers[s]],
-                                        contact.u[s]);
-              for (unsigned int a = 0; a < weights.n; ++a)
-                blocks.push_back(weights.first_node + a);
-            }
+        blocks.clear();
+        append_nodes(mesh, contact, blocks);
         std::sort(blocks.begin(), blocks.end());
         blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
         append_bodies(movement, supports, numbering, blocks);
@@ -392,24 +408,26 @@ namespace fiberloom
                       ContactElement &contact,
                       PotentialGroup &normal)
   {
+    // All ranks need the forces, those that own one of its nodes the rest.
+    normal.nodes.clear();
+    append_nodes(mesh, contact, normal.nodes);
+    const bool mine = touches_owned(normal.nodes.data(), normal.nodes.size());
     const bool active =
       evaluate_normal(contact,
                       mesh,
                       state.q,
                       normal.potential,
-                      with_tangent ? curvature : Curvature::none);
-    if (active)
+                      with_tangent && mine ? curvature : Curvature::none);
+    if (active && mine)
       {
         normal.set_nodes();
-        if (touches_owned(normal.nodes.data(), normal.nodes.size()))
-          scatter<with_tangent>(state, normal);
+        scatter<with_tangent>(state, normal);
       }
     contact.friction_force = Vector3::Zero();
     contact.slip           = Vector3::Zero();
     if (!(contact.friction_limit > 0))
       return;
     ContactGroup friction(contact);
-    const bool   mine = touches_owned(friction.nodes.data(), friction.n_nodes);
     evaluate_friction(contact,
                       section_pair(contact, state.q),
                       friction.residual,

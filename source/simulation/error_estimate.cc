@@ -128,8 +128,8 @@ namespace fiberloom
     /**
      * Largest change of the columns of a unit since the stage began, forces
      * counted from zero; units in which nothing to speak of happens are left
-     * out, @p radius being that of a fiber, and forces that are mostly what the
-     * solver leaves.
+     * out, @p radius being that of a fiber, and forces that the
+     * solver does not resolve to a thousandth.
      */
     std::map<std::string, double>
     scales(const Outcome &outcome, const double radius)

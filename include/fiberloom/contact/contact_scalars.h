@@ -32,7 +32,7 @@ namespace fiberloom
   struct Configuration
   {
     Vector3                               d;
-    std::array<Vector3, 2>                n, t, m, w;
+    std::array<Vector3, 2>                n, t;
     std::array<double, 2>                 length;
     std::array<std::array<Vector3, 2>, 2> g;
     std::array<std::array<double, 2>, 2>  a;
