@@ -205,24 +205,6 @@ namespace
                   open.status == ContactElement::Status::open &&
                   open.normal_force == 0);
     checks.equal("its gap", open.gap, .1);
-
-    // What is about to close is held by the tangent, and by nothing else.
-    ContactElement near = sample_contact(-.05);
-    near.approach_force = 1e-3;
-    SectionPair2 tangent;
-    checks.that("contact about to close is felt",
-                evaluate_contact(near, x, residual, &tangent) &&
-                  residual.norm() == 0 && near.normal_force == 0);
-    SectionPair closing = SectionPair::Zero();
-    closing.head<3>()   = -near.normal;
-    const double r      = std::min(near.radii[0], near.radii[1]);
-    const double part   = 1 - near.gap / (.1 * r);
-    checks.equal("its stiffness",
-                 closing.dot(tangent * closing) /
-                   (near.approach_force * part * part / near.gap),
-                 1);
-    checks.that("not by the residual alone",
-                !evaluate_contact(near, x, residual, nullptr));
   }
 
   /** Point of a section's border, z = (cos, sin). */

@@ -205,7 +205,7 @@ namespace
       "set Drives = lower, upper\nsubsection Load\nset End = 2\n"
                 "set First step = 0.25\nset Largest step = 0.25\nend\n"
                 "subsection Contact\nset Friction coefficient = " +
-      number(friction) + "\nend\n" +
+      number(friction) + "\nset Line stiffness = 20\nend\n" +
       fibers("-0.3 0 0, 0.3 0 0; 0 -0.3 0.02, 0 0.3 0.02", 6) +
       drive("lower", "set Ends = 0 whole\n") +
       drive("upper",

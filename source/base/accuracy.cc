@@ -26,10 +26,10 @@ namespace fiberloom
     constexpr double loosest = 20;
 
     // From the largest error to the smallest.
-    const std::array<Row, 4> table = {{{draft, {4, 8, .02, 1, 2e-2}},
-                                       {standard, {6, 16, .02, 2, 1e-2}},
-                                       {fine, {10, 32, .01, 4, 3e-3}},
-                                       {.2, {12, 48, .005, 4, 2e-3}}}};
+    const std::array<Row, 4> table = {{{draft, {4, 8, .02, 1, 1e-3}},
+                                       {standard, {6, 16, .02, 2, 1e-4}},
+                                       {fine, {10, 32, .01, 4, 3e-5}},
+                                       {.2, {12, 48, .005, 4, 1e-5}}}};
 
     double
     between(const double a, const double b, const double fraction)

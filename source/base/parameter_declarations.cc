@@ -389,9 +389,9 @@ namespace fiberloom
       catalogue.enter_section("Weaving");
       catalogue.add("Path",
                     weaving.path,
-                    "automatic weaves in one damped loop without friction and "
-                    "falls back to nested, which takes every step to "
-                    "equilibrium with friction.",
+                    "automatic weaves in one increment, without friction until "
+                    "the fabric is at rest, and falls back to nested, which "
+                    "takes every step to equilibrium with friction.",
                     Allowed::one_of("automatic|nested"));
       catalogue.add("Step",
                     weaving.step,
@@ -483,19 +483,19 @@ namespace fiberloom
       catalogue.enter_section("Solver");
       catalogue.add("Loops",
                     solver.loops,
-                    "How equilibrium is found where fibers touch. damped: "
-                    "contact is found anew in every iteration, the tangent has "
-                    "a diagonal, and nested loops are there for when that "
-                    "fails. newton: points of contact follow the fibers in one "
-                    "potential with its exact Hessian, and steps are judged by "
-                    "energy; for a \"Contact tolerance\" of 1e-4 and less.",
-                    Allowed::one_of("damped|newton"));
+                    "How equilibrium is found where fibers touch. newton: "
+                    "points of contact follow the fibers in one potential with "
+                    "its exact Hessian, and steps are judged by energy. "
+                    "nested: the paper's three loops, on detection, on normals "
+                    "with friction limits, and Newton's method on the rest; a "
+                    "reference for small scenes.",
+                    Allowed::one_of("newton|nested"));
       catalogue.add("Contact tolerance",
                     solver.contact_tolerance,
                     "Residual, after contacts and normals are found anew, at "
                     "which an increment is accepted, over the largest contact "
-                    "force. 0: by the accuracy, 0.02 (draft), 0.01 (standard) "
-                    "or 0.003 (fine).",
+                    "force. 0: by the accuracy, 1e-3 (draft), 1e-4 (standard) "
+                    "or 3e-5 (fine).",
                     Allowed::from_to_below(0, 1));
       catalogue.add("Newton tolerance",
                     solver.newton_tolerance,
@@ -508,33 +508,37 @@ namespace fiberloom
         "Largest displacement in a Newton iteration, over the fiber "
         "radius; 0: unlimited.",
         Allowed::at_least(0));
-      catalogue.add("Largest contact passes",
-                    solver.largest_contact_passes,
-                    "Detections of contact in an increment before it is cut.",
-                    Allowed::whole(1, most_iterations));
-      catalogue.add("Largest normal passes",
-                    solver.largest_normal_passes,
-                    "Updates of the normals for one detection.",
-                    Allowed::whole(1, most_iterations));
-      catalogue.add("Largest Newton iterations",
-                    solver.largest_newton_iterations,
-                    "Newton iterations for one update of the normals.",
-                    Allowed::whole(1, most_iterations));
+      catalogue.add(
+        "Largest contact passes",
+        solver.largest_contact_passes,
+        "Of the nested loops: detections of contact in an increment before "
+        "it is cut.",
+        Allowed::whole(1, most_iterations));
+      catalogue.add(
+        "Largest normal passes",
+        solver.largest_normal_passes,
+        "Of the nested loops: updates of the normals for one detection.",
+        Allowed::whole(1, most_iterations));
+      catalogue.add(
+        "Largest Newton iterations",
+        solver.largest_newton_iterations,
+        "Of the nested loops, and where nothing touches: Newton iterations "
+        "for one update of the normals.",
+        Allowed::whole(1, most_iterations));
       catalogue.add("Largest loop iterations",
                     solver.largest_loop_iterations,
-                    "Newton iterations where contact and normals are updated "
-                    "in every one, since penalties were last adapted; four "
-                    "times as many near the end of a weave.",
+                    "Newton iterations of an increment before it is cut, since "
+                    "penalties were last adapted.",
                     Allowed::whole(1, most_iterations));
       catalogue.add("Damping",
                     solver.damping,
-                    "Least diagonal added to the tangent where contact and "
-                    "normals are updated in every Newton iteration, over E r.",
+                    "Diagonal added to the tangent while the allowed overlap "
+                    "of a weave shrinks, over E r.",
                     Allowed::above(0));
       catalogue.add("Line search from",
                     solver.line_search_from,
-                    "Number of Newton iterations after which the energy must "
-                    "decrease.",
+                    "Of the nested loops, and where nothing touches: number of "
+                    "Newton iterations after which the energy must decrease.",
                     Allowed::whole(1, most_iterations));
       catalogue.add("Growth",
                     solver.growth,
@@ -552,8 +556,8 @@ namespace fiberloom
         "the memory), rigid sections, a factor of their motions in single "
         "precision (a quarter), blocks, in a composite a factor of the fibers "
         "and one of the matrix, or multigrid for what has no room for a "
-        "factor. automatic: a double factor, from 20,000 dofs on rigid "
-        "sections.",
+        "factor. automatic: a double factor, from 20,000 dofs on a single "
+        "one, from 100,000 on rigid sections.",
         Allowed::one_of(
           "automatic|double factor|single factor|rigid sections|blocks|multigrid"));
       catalogue.add("Benchmark",

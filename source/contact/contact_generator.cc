@@ -28,6 +28,9 @@ namespace fiberloom
     // overlap.
     constexpr double coarsened_below = .25;
 
+    // Of axes, over the radius, for a normal along what lies between them.
+    constexpr double least_distance = .01;
+
     std::vector<std::array<unsigned int, 2>>
     find_woven_pairs(const FiberSet &set)
     {
@@ -98,6 +101,11 @@ namespace fiberloom
         const ContactZone &zone = state.zones[contact.zone];
         if (zone.crossing && zone.range[0][0] == zone.range[0][1])
           continue; // from above
+        // On axes that meet, no direction is the normal by their distance.
+        if ((mesh.section(q, contact.points[0]).center -
+             mesh.section(q, contact.points[1]).center)
+              .norm() < least_distance * mesh.smallest_radius())
+          continue;
         contact.following   = zone.crossing ? ContactElement::Points::closest :
                                               ContactElement::Points::on_plane;
         contact.orientation = zone.side;

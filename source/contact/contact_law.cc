@@ -58,10 +58,25 @@ namespace fiberloom
 
 
 
+  LawValue
+  acute_cosine(const double cosine)
+  {
+    constexpr double right = .2, nearly_one = 1 - 1e-12;
+    const double     sign = cosine < 0 ? -1 : 1, c = std::abs(cosine);
+    if (c >= right)
+      return {std::min(c, nearly_one), sign, 0};
+    const double s = c / right;
+    return {right * s * s * (3 - s * (3 - s)),
+            sign * s * (6 - s * (9 - 4 * s)),
+            (6 - s * (18 - 12 * s)) / right};
+  }
+
+
+
   double
   crossing_spread(const double cosine, const std::array<double, 2> &radii)
   {
-    const double c = std::min(std::abs(cosine), 1 - 1e-15);
+    const double c = acute_cosine(cosine).energy;
     return std::sqrt((1 + c) / (1 - c) * 2 * (radii[0] + radii[1]));
   }
 
@@ -240,30 +255,6 @@ namespace fiberloom
 
 
 
-  namespace
-  {
-    // Over the smaller radius: gaps that are about to close, and where a force
-    // over a gap would be stiffer than contact.
-    constexpr double approach_gap = .1, least_gap = .002, contact_depth = .02;
-
-    double
-    approach_stiffness(const ContactElement &contact)
-    {
-      const double radius = std::min(contact.radii[0], contact.radii[1]);
-      const double gap    = contact.gap / radius;
-      if (contact.approach_force == 0 || gap >= approach_gap ||
-          contact.normal_force >= contact.approach_force)
-        return 0;
-      const double part = gap > 0 ? 1 - gap / approach_gap : 1;
-      return part * part *
-             std::min(
-               contact.approach_force / (radius * std::max(gap, least_gap)),
-               contact_normal_law(contact, contact_depth * radius).derivative);
-    }
-  } // namespace
-
-
-
   bool
   evaluate_contact(ContactElement    &contact,
                    const SectionPair &x,
@@ -278,18 +269,14 @@ namespace fiberloom
     contact.slip           = Vector3::Zero();
     contact.status         = law.force > 0 ? ContactElement::Status::stick :
                                              ContactElement::Status::open;
-    const double stiffness =
-      tangent == nullptr ?
-        0 :
-        std::max(law.derivative, approach_stiffness(contact));
-    if (!(law.force > 0) && !(contact.friction_limit > 0) && !(stiffness > 0))
+    if (!(law.force > 0) && !(contact.friction_limit > 0))
       return false;
 
     residual.setZero();
     if (tangent != nullptr)
       tangent->setZero();
 
-    if (law.force > 0 || stiffness > 0)
+    if (law.force > 0)
       {
         // The gap's derivative: each section vector gets a multiple of N.
         Eigen::Matrix<double, 6, 1> g;
@@ -316,7 +303,7 @@ namespace fiberloom
           residual.segment<3>(3 * i) -= law.force * g[i] * N;
         if (tangent != nullptr)
           {
-            const Matrix3 NN = stiffness * N * N.transpose();
+            const Matrix3 NN = law.derivative * N * N.transpose();
             for (unsigned int i = 0; i < 6; ++i)
               for (unsigned int j = 0; j < 6; ++j)
                 tangent->block<3, 3>(3 * i, 3 * j) += g[i] * g[j] * NN;

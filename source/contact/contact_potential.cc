@@ -43,7 +43,7 @@ namespace fiberloom
       LawValue value;
       Spread   spread;
 
-      /** A gap that will close counts as if a linear penalty began here. */
+      /** Of a contact that will close, what it adds to be stiff already. */
       NormalLaw(const ContactElement &contact,
                 const double          gap,
                 const double          cosine)
@@ -60,12 +60,13 @@ namespace fiberloom
                               contact.regularization);
         };
         value = law(-gap);
-        if (contact.predicted && gap > 0)
+        if (contact.predicted)
           {
             const double k =
               law(depth * std::min(contact.radii[0], contact.radii[1]))
                 .derivative;
-            value = {.5 * k * gap * gap, -k * gap, k};
+            value = gap > 0 ? LawValue{.5 * k * gap * gap, -k * gap, k} :
+                              LawValue{0, 0, k - value.derivative};
           }
         if (contact.following == Points::on_plane)
           spread.first = spread.second = 0;

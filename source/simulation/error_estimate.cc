@@ -73,27 +73,29 @@ namespace fiberloom
       const Composite *composite = transfer.finer();
       const auto       stage =
         create_stage(name, {parameters, fibers, mesh, composite});
-      const Supports   supports = stage->supports(state.stage_start_q);
-      System           system(mesh, supports, comm, composite);
-      StageStatistics  statistics;
-      ContactGenerator generator(fibers, mesh, parameters.contact, comm);
-      Equilibrium      equilibrium(mesh,
+      const Supports       supports = stage->supports(state.stage_start_q);
+      System               system(mesh, supports, comm, composite);
+      StageStatistics      statistics;
+      ContactGenerator     generator(fibers, mesh, parameters.contact, comm);
+      Equilibrium          equilibrium(mesh,
                               parameters,
                               generator,
                               system,
                               statistics,
                               [&ask](const Equilibrium::Progress &) { ask(); });
-      const double     load = found.load;
-      const Equilibrium::Problem problem{
-        start,
-        {stage->targets(state.stage_start_placements, load),
-         stage->node_forces(load)},
-        stage->rule(load)};
-      equilibrium.iterate(state,
-                          problem,
-                          found.contact.zones.empty() ? n_otherwise :
-                                                        n_in_contact,
-                          generator.weaves() ? equilibrium.dampings()[0] : 0);
+      const double         load = found.load;
+      Equilibrium::Problem problem{start,
+                                   {stage->targets(state.stage_start_placements,
+                                                   load),
+                                    stage->node_forces(load)},
+                                   stage->rule(load)};
+      if (found.contact.zones.empty())
+        equilibrium.iterate(state, problem, n_otherwise, 0);
+      else
+        {
+          problem.rule.points_follow = true;
+          equilibrium.approach(state, problem, n_in_contact);
+        }
 
       std::vector<ContactElement> contacts =
         generator.generate(state.q, start.q, problem.rule, state.contact);

@@ -14,8 +14,11 @@ namespace fiberloom
 {
   namespace
   {
-    // Below this size the double factor costs next to nothing more.
-    constexpr unsigned int single_precision_from = 20000;
+    // Below the first size the double factor costs next to nothing more; from
+    // the second on the single one costs more than the Krylov iterations that
+    // it saves.
+    constexpr unsigned int single_precision_from = 20000,
+                           rigid_sections_from   = 100000;
 
     constexpr int          krylov_space   = 60;
     constexpr unsigned int largest_cycles = 5, largest_section_cycles = 2;
@@ -78,12 +81,14 @@ namespace fiberloom
   void
   LinearSolver::use_preferred()
   {
-    const bool is_small = system.layout().n_dofs() < single_precision_from;
-    precision           = name == "double factor" ||
+    const unsigned int n_dofs   = system.layout().n_dofs();
+    const bool         is_small = n_dofs < single_precision_from;
+    precision                   = name == "double factor" ||
                     (is_small && (name == "automatic" || name == "blocks")) ?
-                            DirectFactor::Precision::double_precision :
-                            DirectFactor::Precision::single_precision;
-    if (name == "rigid sections" || (!is_small && name == "automatic"))
+                                    DirectFactor::Precision::double_precision :
+                                    DirectFactor::Precision::single_precision;
+    if (name == "rigid sections" ||
+        (n_dofs >= rigid_sections_from && name == "automatic"))
       sections = std::make_unique<SectionPreconditioner>(system, precision);
     else
       use(precision);

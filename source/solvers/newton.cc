@@ -41,10 +41,11 @@ namespace fiberloom
     constexpr unsigned int most_corrections = 6;
     constexpr double       corrected_from = 1e-3, of_corrections = 1e-3;
 
-    // Armijo's rule and its bounds on the next trial.
+    // Armijo's rule and its bounds on the next trial. Where energies differ by
+    // less than they are rounded to, slopes decide (Hager and Zhang 2005, 4.1).
     constexpr double       sufficient = 1e-4, shortest = .1, longest_cut = .5;
     constexpr unsigned int most_cuts = 10;
-    constexpr double       rounding  = 1e-13; // of an energy
+    constexpr double       rounding  = 1e-9; // of an energy
 
     // Levenberg's diagonal over E r: the least, and its change by the actual
     // over the predicted decrease, as in any trust-region method.
@@ -92,20 +93,24 @@ namespace fiberloom
       {
         refresh(state, problem);
         system.couple_limits(residual < coupled_from);
+        const bool moves = system.motion().moves(state, problem.targets);
         assemble(state,
                  problem,
-                 trusted ? Curvature::exact : Curvature::positive);
+                 trusted && !moves ? Curvature::exact : Curvature::positive);
         residual = increment.residual(problem);
         lagged   = std::max(lagged, residual);
         watch({residual, damping, last_factor});
-        if (residual < tolerance && is_at_rest(state, problem, tolerance))
+        if (!moves && residual < tolerance &&
+            is_at_rest(state, problem, tolerance))
           return true;
         Step step;
         if (i == most || !std::isfinite(residual) ||
             !find_step(state, problem, tolerance, step))
           return false;
         ++statistics.newton_iterations;
-        if (!take_coupled_step(state, problem))
+        if (moves)
+          follow_motion(state, problem, step);
+        else if (!take_coupled_step(state, problem))
           descend(state, problem, step);
       }
   }
@@ -207,7 +212,6 @@ namespace fiberloom
                        const LinearSolver::Indefinite indefinite,
                        Step                          &step)
   {
-    std::vector<double>   solution;
     LinearSolver::Outcome outcome;
     {
       ScopedTimer timer(statistics.seconds.linear_solver);
@@ -218,7 +222,7 @@ namespace fiberloom
         std::vector<double>(system.layout().n_blocks(),
                             damping * system.stiffness_scale()),
         std::max(least_damping, damping) * system.stiffness_scale(),
-        solution,
+        step.solution,
         indefinite,
         std::clamp(linear_part * tolerance / residual,
                    tightest_system,
@@ -230,11 +234,11 @@ namespace fiberloom
     if (outcome.negative_pivots != 0 &&
         indefinite == LinearSolver::Indefinite::refused)
       return false;
-    step.increment = system.gather(solution);
+    step.increment = system.gather(step.solution);
     step.move      = system.motion().largest_move(step.increment);
     double slope   = 0;
-    for (unsigned int i = 0; i < solution.size(); ++i)
-      slope -= gradient[i] * solution[i];
+    for (unsigned int i = 0; i < gradient.size(); ++i)
+      slope -= gradient[i] * step.solution[i];
     step.slope =
       dealii::Utilities::MPI::sum(slope, system.layout().communicator());
     return true;
@@ -285,7 +289,8 @@ namespace fiberloom
       {
         ContactElement &contact = increment.contacts[i];
         if (contact.following == ContactElement::Points::fixed ||
-            contact.predicted || contact.lost || contact.gap <= 0)
+            contact.predicted || contact.lost ||
+            contact.gap <= -std::min(depth, contact.regularization))
           continue;
         ContactElement there = contact;
         normal_energy(there, mesh, ahead.q);
@@ -347,6 +352,19 @@ namespace fiberloom
 
 
   void
+  Newton::follow_motion(State &state, const Problem &problem, const Step &step)
+  {
+    const double prescribed =
+      system.motion().largest_prescribed_move(state, problem.targets);
+    last_factor =
+      largest_move > 0 ? largest_move / std::max(largest_move, prescribed) : 1;
+    last_factor = std::min(last_factor, longest(step));
+    system.motion().advance(state, step.increment, last_factor);
+  }
+
+
+
+  void
   Newton::descend(State &state, const Problem &problem, const Step &step)
   {
     const double here    = energy(state, state, problem);
@@ -357,10 +375,13 @@ namespace fiberloom
     unsigned int cuts    = 0;
     {
       ScopedTimer timer(statistics.seconds.assembly);
-      for (; cuts < most_cuts &&
-             !(reached <= here + sufficient * factor * step.slope +
-                            rounding * std::abs(here));
-           ++cuts)
+      const auto  goes_down = [&]() {
+        return reached <= here + sufficient * factor * step.slope ||
+               (reached <= here + rounding * std::abs(here) &&
+                slope(there, problem, step) <=
+                  (2 * sufficient - 1) * step.slope);
+      };
+      for (; cuts < most_cuts && !goes_down(); ++cuts)
         {
           const double parabola = -.5 * step.slope * factor * factor /
                                   (reached - here - step.slope * factor);
@@ -386,6 +407,20 @@ namespace fiberloom
     last_factor      = factor;
     state.q          = std::move(there.q);
     state.placements = std::move(there.placements);
+  }
+
+
+
+  double
+  Newton::slope(const State &there, const Problem &problem, const Step &step)
+  {
+    std::vector<ContactElement> contacts = increment.contacts;
+    system.assemble_residual(there, problem.targets, contacts);
+    const std::vector<double> free  = system.free_residual();
+    double                    slope = 0;
+    for (unsigned int i = 0; i < free.size(); ++i)
+      slope += free[i] * step.solution[i];
+    return dealii::Utilities::MPI::sum(slope, system.layout().communicator());
   }
 
 

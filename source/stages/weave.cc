@@ -97,29 +97,25 @@ namespace fiberloom
                         const State &before,
                         Equilibrium &equilibrium) const
   {
-    if (scene.parameters.weaving.path == "nested")
+    if (scene.parameters.weaving.path == "nested" ||
+        scene.parameters.solver.loops == "nested")
       return false;
-    for (const double damping : equilibrium.dampings())
-      {
-        state = before;
-        if (weave_in_one_loop(state, before, equilibrium, damping))
-          return true;
-      }
-    return false;
+    state = before;
+    return weave_in_one_increment(state, before, equilibrium);
   }
 
 
 
   bool
-  Weave::weave_in_one_loop(State       &state,
-                           const State &before,
-                           Equilibrium &equilibrium,
-                           const double damping) const
+  Weave::weave_in_one_increment(State       &state,
+                                const State &before,
+                                Equilibrium &equilibrium) const
   {
     const WeavingParameters &weaving = scene.parameters.weaving;
     Equilibrium::Problem     problem{before, targets(state.placements, 1), {}};
     problem.rule.from_above = true;
     const double step       = weaving.step * radius;
+    const double damping    = scene.parameters.solver.damping;
     for (double overlap = full_overlap; overlap > 0;)
       {
         overlap                      = std::max(0., overlap - step);
@@ -133,16 +129,12 @@ namespace fiberloom
     // Friction starts where the fibers are now: nothing is locked in.
     problem.rule = ContactRule();
     equilibrium.iterate(state, problem, frictionless_iterations, damping);
-    const bool by_newton = scene.parameters.solver.loops == "newton";
-    if (by_newton && !equilibrium.solve_by_newton(state, problem))
+    if (!equilibrium.solve_by_newton(state, problem))
       return false;
     const State          reference = state;
     Equilibrium::Problem end{reference, problem.targets, {}};
     end.rule.friction = scene.parameters.contact.friction_coefficient > 0;
-    if (by_newton)
-      return equilibrium.solve_by_newton(state, end);
-    return equilibrium.solve_in_one_loop(
-      state, end, scene.parameters.solver.largest_loop_iterations, damping);
+    return equilibrium.solve_by_newton(state, end);
   }
 
 

@@ -206,7 +206,7 @@ namespace fiberloom
 
   struct SolverParameters
   {
-    std::string loops = "damped"; // damped | newton
+    std::string loops = "newton"; // newton | nested
     double      contact_tolerance =
       0; // over the largest contact force; automatic: by accuracy
     double newton_tolerance =
@@ -217,10 +217,10 @@ namespace fiberloom
     unsigned int largest_normal_passes     = 15;
     unsigned int largest_newton_iterations = 40;
     unsigned int largest_loop_iterations   = 150;
-    double       damping          = 2e-3; // of the one-loop tangent, over E r
-    unsigned int line_search_from = 5;
-    double       growth           = 1.3;
-    unsigned int largest_cuts     = 8;
+    double       damping                   = 2e-3; // of weaving, over E r
+    unsigned int line_search_from          = 5;
+    double       growth                    = 1.3;
+    unsigned int largest_cuts              = 8;
     std::string  linear_solver =
       "automatic"; // automatic | double factor | single factor | blocks |
                    // multigrid

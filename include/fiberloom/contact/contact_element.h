@@ -55,7 +55,6 @@ namespace fiberloom
     double  spread;    // of a crossing instead of a length, else 0 [mm^(1/2)]
     double  regularization; // penetration up to which the law is quadratic [mm]
     std::array<double, 2> skewness; // of the cut sections over the round ones
-    double approach_force = 0;      // that what closes meets in the tangent [N]
 
     // friction; a limit of 0 means none
     double  friction_limit;          // mu f* [N]

@@ -38,10 +38,15 @@ namespace fiberloom
                const double stiffness,
                const double regularization);
 
+  /** Absolute value of a cosine, twice continuous, with two derivatives. */
+  LawValue
+  acute_cosine(const double cosine);
+
   /**
    * Length of contact over the square root of the penetration [mm^(1/2)] of
    * two fibers at the angle a = acos( @p cosine ), whose @p radii add up to D:
-   * cot(a/2) sqrt(2 D).
+   * cot(a/2) sqrt(2 D), with the cosine's absolute value rounded off below
+   * twelve degrees from a right angle.
    */
   double
   crossing_spread(const double cosine, const std::array<double, 2> &radii);
@@ -93,10 +98,6 @@ namespace fiberloom
    * Gradient and, if @p tangent is given, Hessian of the energy; stores gap,
    * forces, slip and status in @p contact . Returns false, with nothing else
    * set than those, when the contact is open.
-   *
-   * With an approach force a* the tangent, and nothing else, also holds what
-   * is about to close: a* (1 - g/g0)^2/g across gaps g below g0 = r/10, which
-   * Newton's method would else leap without seeing the other fiber.
    */
   bool
   evaluate_contact(ContactElement    &contact,

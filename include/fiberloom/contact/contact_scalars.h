@@ -95,10 +95,10 @@ namespace fiberloom
     Spread(const ContactElement &contact, const double cosine)
       : value(crossing_spread(cosine, contact.radii))
     {
-      const double c = std::min(std::abs(cosine), 1 - 1e-12);
-      const double l = 1 / (1 - c * c); // derivative of its logarithm
-      first          = (cosine >= 0 ? 1 : -1) * value * l;
-      second         = value * (l * l + 2 * c * l * l);
+      const auto [c, c1, c2] = acute_cosine(cosine);
+      const double l         = 1 / (1 - c * c); // derivative of its logarithm
+      first                  = value * l * c1;
+      second                 = value * l * (l * (1 + 2 * c) * c1 * c1 + c2);
     }
   };
 

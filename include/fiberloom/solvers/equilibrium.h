@@ -10,13 +10,11 @@
 
 #include <fiberloom/model/system.h>
 
-#include <fiberloom/solvers/damping.h>
 #include <fiberloom/solvers/increment.h>
 #include <fiberloom/solvers/linear_solver.h>
 #include <fiberloom/solvers/newton.h>
 #include <fiberloom/solvers/penetration.h>
 
-#include <array>
 #include <vector>
 
 namespace fiberloom
@@ -24,12 +22,12 @@ namespace fiberloom
   struct Parameters;
 
   /**
-   * Finds the equilibrium of an increment by the three nested loops of section
-   * 3.6 of the paper: on contact generation, on contact normals with friction
-   * limits, and Newton's method on all the rest. Both outer loops end by one
-   * criterion: the residual of the fully regenerated problem (new stations,
-   * normals, friction limits, stiffnesses) is below the contact tolerance
-   * times the largest contact force.
+   * Finds the equilibrium of an increment by Newton's method on the potential
+   * of what touches, or by the three nested loops of section 3.6 of the paper:
+   * on contact generation, on contact normals with friction limits, and
+   * Newton's method on all the rest. Either ends by one criterion: the residual
+   * of the fully regenerated problem (new stations, normals, friction limits)
+   * is below the contact tolerance times the largest contact force.
    */
   class Equilibrium
   {
@@ -51,27 +49,14 @@ namespace fiberloom
     using Problem = fiberloom::Problem;
 
     /**
-     * Moves @p state , which is the last accepted one, to equilibrium by the
-     * nested loops or, where they do not contract, by solve_in_one_loop().
-     * False, with @p state spoilt, if neither does it, or if fibers may have
-     * passed through each other on the way.
+     * Moves @p state , which is the last accepted one, to equilibrium: by
+     * Newton's method, or by the nested loops where they are asked for, while
+     * fibers are woven from above, and where loads have no potential. False,
+     * with @p state spoilt, if that fails, or if fibers may have passed through
+     * each other on the way.
      */
     bool
     solve(State &state, const Problem &problem);
-
-    /**
-     * As solve(), but contacts and normals are generated anew in every Newton
-     * iteration, whose tangent gets a diagonal of @p damping over E r: the
-     * frozen normals of a tangent hide that slender fibers in a tow are
-     * unstable sideways, and without it they are thrown far. Near balance it
-     * may take four times @p largest_iterations where the problem has no load
-     * step.
-     */
-    bool
-    solve_in_one_loop(State             &state,
-                      const Problem     &problem,
-                      const unsigned int largest_iterations,
-                      const double       damping);
 
     /**
      * From @p state , whose contacts have been generated, by Newton's method;
@@ -80,11 +65,15 @@ namespace fiberloom
     bool
     solve_by_newton(State &state, const Problem &problem);
 
-    /** Over E r, to be tried one after the other. */
-    std::array<double, 2>
-    dampings() const;
+    /** At most @p n iterations of Newton's method, converged or not. */
+    void
+    approach(State &state, const Problem &problem, const unsigned int n);
 
-    /** @p n iterations of that loop, converged or not. */
+    /**
+     * @p n iterations, converged or not, before each of which contacts are
+     * generated anew; the tangent gets a diagonal of @p damping over E r, as
+     * frozen normals hide that slender fibers are unstable sideways.
+     */
     void
     iterate(State             &state,
             const Problem     &problem,
@@ -145,6 +134,7 @@ namespace fiberloom
     newton_step(State         &state,
                 const Problem &problem,
                 const double   tolerance,
+                const double   damping,
                 const bool     search_line);
 
     double
@@ -153,18 +143,7 @@ namespace fiberloom
                  const Eigen::VectorXd &step,
                  const double           factor) const;
 
-    enum class Outcome
-    {
-      converged,
-      slow, // towards equilibrium, but not fast enough
-      failed
-    };
-
-    /** Whether fibers touch at @p state , and what is asked has a potential. */
-    bool
-    uses_newton(const State &state, const Problem &problem) const;
-
-    /** Whether normals follow every iteration from the first one on. */
+    /** Whether a fabric is pulled, pressed or bent, not woven. */
     bool
     follows(const Problem &problem) const;
 
@@ -183,8 +162,12 @@ namespace fiberloom
     extrapolate(State &state, const Problem &problem);
 
     /** From contacts that have been generated. */
-    Outcome
+    bool
     solve_nested(State &state, const Problem &problem);
+
+    /** Of a benchmark: a factorisation of the last tangent. */
+    void
+    time_yardstick();
 
     /** The tightest that Newton's method is asked for in an outer loop. */
     double
@@ -198,24 +181,13 @@ namespace fiberloom
     StageStatistics  &statistics;
     Watch             watch;
     Increment         increment;
-    Damping           damping;
     Newton            by_newton;
     Penetration       penetration;
-    double            last_factor   = 1; // of a Newton step
-    double            last_residual = 0; // before it
-    double            longest_step  = 1;
-    bool              in_one_loop   = false;
-    bool              pulls         = false; // in that loop
-
-    // Of steps that move bodies, over the radius.
-    double prescribed_limit;
-
-    double last_cut             = 1; // by the last line search
-    int    last_negative_pivots = 0;
-    bool   folded               = false;
-    bool   passed               = false;
-
-    unsigned int n_yardsticks = 0; // whose mean is in the statistics
+    double            last_factor          = 1; // of a Newton step
+    int               last_negative_pivots = 0;
+    bool              folded               = false;
+    bool              passed               = false;
+    unsigned int      n_yardsticks = 0; // whose mean is in the statistics
   };
 } // namespace fiberloom
 

@@ -70,9 +70,10 @@ namespace fiberloom
     /** A step in all dofs. */
     struct Step
     {
-      Eigen::VectorXd increment;
-      double          slope = 0; // of the energy along it [N mm]
-      double          move  = 0; // largest, over the radius
+      std::vector<double> solution; // of the linear system
+      Eigen::VectorXd     increment;
+      double              slope = 0; // of the energy along it [N mm]
+      double              move  = 0; // largest, over the radius
     };
 
     void
@@ -112,9 +113,17 @@ namespace fiberloom
     bool
     take_coupled_step(State &state, const Problem &problem);
 
+    /** A part of @p step on which prescribed nodes move as far as allowed. */
+    void
+    follow_motion(State &state, const Problem &problem, const Step &step);
+
     /** Down the energy along @p step and back to the valley's floor. */
     void
     descend(State &state, const Problem &problem, const Step &step);
+
+    /** Of the energy at @p there , along @p step [N mm]. */
+    double
+    slope(const State &there, const Problem &problem, const Step &step);
 
     /** Adds corrections to @p moved as long as they lower its energy, which is
      * returned. */

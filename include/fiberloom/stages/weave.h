@@ -61,10 +61,9 @@ namespace fiberloom
 
   private:
     bool
-    weave_in_one_loop(State       &state,
-                      const State &before,
-                      Equilibrium &equilibrium,
-                      const double damping) const;
+    weave_in_one_increment(State       &state,
+                           const State &before,
+                           Equilibrium &equilibrium) const;
 
     double full_overlap; // [mm]
     double radius;       // [mm]
