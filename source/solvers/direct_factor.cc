@@ -117,8 +117,8 @@ namespace fiberloom
     // part of those that are not.
     constexpr double largest_surplus = .1;
 
-    // An ordering is kept while there are no more couplings than this over
-    // those it was made for, and operations of the factor over those then.
+    // An ordering is kept while the factor takes no more operations than this
+    // over those that it took when it was made.
     constexpr double largest_growth = 1.15;
 
     // Blocks from which the factor costs much more than the ordering.
@@ -319,18 +319,18 @@ namespace fiberloom
         couplings = std::move(needed);
       const BlockLayout &layout = factorised(matrix);
       set_pattern(layout);
-      const auto n_couplings = sum(comm, couplings);
-      const bool orders =
-        !has_ordering || n_couplings > largest_growth * ordered_couplings;
-      if (orders)
+      if (has_ordering)
         {
-          positions         = pivot_positions(layout, couplings);
-          ordered_couplings = n_couplings;
+          analyse_ordered();
+          has_ordering = data.rinfog[0] <= largest_growth * ordered_operations;
         }
-      analyse_ordered();
-      if (orders)
-        ordered_operations = data.rinfog[0];
-      has_ordering = data.rinfog[0] <= largest_growth * ordered_operations;
+      if (!has_ordering)
+        {
+          positions = pivot_positions(layout, couplings);
+          analyse_ordered();
+          ordered_operations = data.rinfog[0];
+          has_ordering       = true;
+        }
     }
 
     void
@@ -528,7 +528,6 @@ namespace fiberloom
     Mumps                                        data{};
     Couplings                                    couplings; // analysed
     bool                                         has_ordering       = false;
-    std::size_t                                  ordered_couplings  = 0;
     double                                       ordered_operations = 0;
     std::vector<int>                             rows, columns, positions;
     std::vector<int>                             block_begins;

@@ -222,7 +222,7 @@ namespace fiberloom
     increment.generate(state, problem);
     if (follows(problem) && system.motion().moves(state, problem.targets) &&
         penetration.stiffen(increment.contacts, state.contact.zones))
-      increment.generate(state, problem);
+      increment.regenerate(state, problem);
   }
 
 
@@ -249,7 +249,7 @@ namespace fiberloom
           too_far = mesh.is_folded(state.q);
           if (!too_far)
             {
-              increment.generate(state, problem);
+              increment.regenerate(state, problem);
               too_far = penetration.is_thrown(increment.contacts);
               if (!too_far && !increment.contacts.empty())
                 return true;
@@ -281,21 +281,23 @@ namespace fiberloom
   Equilibrium::find(State &state, const Problem &problem)
   {
     folded = false;
-    if (!extrapolate(state, problem))
-      return false;
     if (parameters.solver.loops == "nested" || problem.rule.from_above ||
         !system.has_potential(problem.targets))
-      return solve_nested(state, problem);
+      return extrapolate(state, problem) && solve_nested(state, problem);
+    Problem following            = problem;
+    following.rule.points_follow = true;
+    if (!extrapolate(state, following))
+      return false;
     if (increment.contacts.empty())
       {
         if (!newton(state, problem, increment.tolerance()))
           return false;
         // What moved without contact may have come to touch.
-        increment.generate(state, problem);
+        increment.generate(state, following);
         if (increment.contacts.empty())
           return true;
       }
-    return solve_by_newton(state, problem);
+    return solve_by_newton(state, following);
   }
 
 

@@ -7,9 +7,56 @@
 #include <fiberloom/solvers/increment.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fiberloom
 {
+  namespace
+  {
+    /** Of contacts sorted by fibers, the one at the same place or null: a
+     * crossing may have slid, the stations of a line stay on the first fiber.
+     */
+    const ContactElement *
+    find_same(const std::vector<ContactElement> &contacts,
+              const ContactElement              &contact)
+    {
+      const ContactElement *nearest = nullptr;
+      double distance = contact.following == ContactElement::Points::closest ?
+                          .5 :
+                          1e-9; // in elements
+      for (auto other = std::lower_bound(contacts.begin(),
+                                         contacts.end(),
+                                         contact.fibers,
+                                         [](const auto &c, const auto &fibers) {
+                                           return c.fibers < fibers;
+                                         });
+           other != contacts.end() && other->fibers == contact.fibers;
+           ++other)
+        if (other->following == contact.following &&
+            std::abs(other->u[0] - contact.u[0]) < distance)
+          {
+            distance = std::abs(other->u[0] - contact.u[0]);
+            nearest  = &*other;
+          }
+      return nearest;
+    }
+
+    void
+    keep_friction(const ContactElement &from, ContactElement &to)
+    {
+      to.points              = from.points;
+      to.first_nodes         = from.first_nodes;
+      to.weights             = from.weights;
+      to.particles           = from.particles;
+      to.friction_limit      = from.friction_limit;
+      to.normal_force_before = from.normal_force_before;
+      to.slip_before         = from.slip_before;
+      to.separation_before   = from.separation_before;
+    }
+  } // namespace
+
+
+
   Increment::Increment(const FiberMesh        &mesh,
                        const SolverParameters &parameters,
                        ContactGenerator       &generator,
@@ -27,16 +74,37 @@ namespace fiberloom
   void
   Increment::generate(State &state, const Problem &problem)
   {
-    {
-      ScopedTimer timer(statistics.seconds.detection);
-      contacts = generator.generate(state.q,
-                                    problem.before.q,
-                                    problem.rule,
-                                    state.contact);
-      ++statistics.contact_updates;
-    }
+    find_contacts(state, problem);
     ScopedTimer timer(statistics.seconds.assembly);
     system.reinit(contacts);
+  }
+
+
+
+  void
+  Increment::regenerate(State &state, const Problem &problem)
+  {
+    const std::vector<ContactElement> before = std::move(contacts);
+    find_contacts(state, problem);
+    ScopedTimer timer(statistics.seconds.assembly);
+    if (problem.rule.points_follow)
+      for (ContactElement &contact : contacts)
+        if (const ContactElement *same = find_same(before, contact))
+          keep_friction(*same, contact);
+    system.reinit(contacts);
+  }
+
+
+
+  void
+  Increment::find_contacts(State &state, const Problem &problem)
+  {
+    ScopedTimer timer(statistics.seconds.detection);
+    contacts = generator.generate(state.q,
+                                  problem.before.q,
+                                  problem.rule,
+                                  state.contact);
+    ++statistics.contact_updates;
   }
 
 

@@ -20,7 +20,7 @@ namespace fiberloom
 
     // Limits of friction are set anew when the residual has fallen to this
     // part: each balance is worth as much as the next limits are off.
-    constexpr double lag_reduction = .1;
+    constexpr double lag_reduction = .5;
 
     // Below this residual limits may follow within the linear system; a step
     // that does not halve the regenerated residual waits for this part of it.
@@ -38,7 +38,7 @@ namespace fiberloom
 
     // Corrections in one iteration; below the residual steps are so short that
     // there is nothing to correct.
-    constexpr unsigned int most_corrections = 6;
+    constexpr unsigned int most_corrections = 3;
     constexpr double       corrected_from = 1e-3, of_corrections = 1e-3;
 
     // Armijo's rule and its bounds on the next trial. Where energies differ by
@@ -120,19 +120,21 @@ namespace fiberloom
   void
   Newton::refresh(State &state, const Problem &problem)
   {
-    if (generated_at.size() == 0 ||
-        system.motion().largest_move(state.q - generated_at) > stale_after)
+    const bool is_stale =
+      generated_at.size() == 0 ||
+      system.motion().largest_move(state.q - generated_at) > stale_after;
+    if (is_stale)
       {
-        increment.generate(state, problem);
+        increment.regenerate(state, problem);
         generated_at = state.q;
-        lagged       = 0;
-        return;
       }
     if (problem.rule.friction && residual < lag_reduction * lagged)
       {
         increment.update_normals(state, problem);
         lagged = 0;
       }
+    else if (is_stale)
+      return;
     ScopedTimer timer(statistics.seconds.assembly);
     // Points may have slid onto other elements.
     for (ContactElement &contact : increment.contacts)

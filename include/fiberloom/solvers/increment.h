@@ -45,6 +45,11 @@ namespace fiberloom
     void
     generate(State &state, const Problem &problem);
 
+    /** As generate(), but friction keeps its particles, planes and limits
+     * where a contact is still there. */
+    void
+    regenerate(State &state, const Problem &problem);
+
     /** Normals, particles and friction limits of these contacts. */
     void
     update_normals(const State &state, const Problem &problem);
@@ -72,6 +77,9 @@ namespace fiberloom
     std::vector<ContactElement> contacts;
 
   private:
+    void
+    find_contacts(State &state, const Problem &problem);
+
     const FiberMesh        &mesh;
     const SolverParameters &parameters;
     ContactGenerator       &generator;
