@@ -140,6 +140,15 @@ namespace fiberloom
 
 
   double
+  Increment::measure_anew(State &state, const Problem &problem)
+  {
+    find_contacts(state, problem);
+    return measure(state, problem);
+  }
+
+
+
+  double
   Increment::residual(const Problem &problem) const
   {
     return system.residual_norm() / scale(problem);

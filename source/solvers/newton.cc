@@ -22,8 +22,10 @@ namespace fiberloom
     // part: each balance is worth as much as the next limits are off.
     constexpr double lag_reduction = .5;
 
-    // Below this residual limits may follow within the linear system; a step
-    // that does not halve the regenerated residual waits for this part of it.
+    // Below this residual limits may follow within the linear system. Such a
+    // step has to leave a next one, by the same matrix, that is shorter by this
+    // part (Deuflhard 2004, 3.3), and waits for the last part of the residual
+    // where it does not.
     constexpr double coupled_below = .03, coupled_reduction = .5,
                      coupled_again = .3;
 
@@ -85,14 +87,14 @@ namespace fiberloom
                 const unsigned int most)
   {
     generated_at.resize(0);
-    trusted          = true;
-    damping          = 0;
-    coupled_from     = problem.rule.friction ? coupled_below : 0;
-    coupled_residual = residual = 1e300;
+    trusted      = true;
+    damping      = 0;
+    coupled_from = problem.rule.friction ? coupled_below : 0;
+    residual     = 1e300;
+    lagged       = 0;
     for (unsigned int i = 0;; ++i)
       {
         refresh(state, problem);
-        system.couple_limits(residual < coupled_from);
         const bool moves = system.motion().moves(state, problem.targets);
         assemble(state,
                  problem,
@@ -152,7 +154,6 @@ namespace fiberloom
   {
     increment.generate(state, problem);
     generated_at = state.q;
-    system.couple_limits(residual < coupled_from);
     assemble(state, problem, Curvature::exact);
     residual = lagged = increment.residual(problem);
     return residual < tolerance;
@@ -312,43 +313,64 @@ namespace fiberloom
   bool
   Newton::take_coupled_step(State &state, const Problem &problem)
   {
-    if (!(residual < coupled_from) || !is_exact || damping > 0 ||
-        !system.matrix().has_outer_products())
+    const bool limits_are_new = residual == lagged;
+    if (!(residual < coupled_from) || !limits_are_new || !is_exact ||
+        damping > 0)
       return false;
-    std::vector<double>   solution;
+    system.couple_limits(true);
+    assemble(state, problem, Curvature::exact);
+    system.couple_limits(false);
+    Step step;
+    if (solve_coupled(gradient, step))
+      {
+        const auto kept   = increment.contacts;
+        double     factor = std::min(1., stale_after / step.move);
+        for (; factor > shortest; factor *= longest_cut)
+          {
+            State there = state;
+            system.motion().advance(there, step.increment, factor);
+            const double        anew   = increment.measure_anew(there, problem);
+            std::vector<double> defect = system.free_residual();
+            for (double &value : defect)
+              value = -value;
+            Step next;
+            if (solve_coupled(defect, next) &&
+                next.move < (1 - coupled_reduction * factor) * step.move)
+              {
+                state        = std::move(there);
+                generated_at = state.q;
+                residual = lagged = anew;
+                coupled_from      = 1e300;
+                trusted           = true;
+                last_factor       = factor;
+                return true;
+              }
+          }
+        increment.contacts = kept;
+      }
+    coupled_from = coupled_again * residual;
+    return false;
+  }
+
+
+
+  bool
+  Newton::solve_coupled(const std::vector<double> &right_hand_side, Step &step)
+  {
     LinearSolver::Outcome outcome;
     bool                  found;
     {
       ScopedTimer timer(statistics.seconds.linear_solver);
-      found = linear_solver.solve_coupled(
-        system.matrix(), gradient, coupled_system, solution, outcome);
+      found = linear_solver.solve_coupled(system.matrix(),
+                                          right_hand_side,
+                                          coupled_system,
+                                          step.solution,
+                                          outcome);
     }
     add(statistics, outcome);
-    Step step;
-    step.increment = system.gather(solution);
+    step.increment = system.gather(step.solution);
     step.move      = system.motion().largest_move(step.increment);
-    if (found && step.move < stale_after)
-      {
-        const auto kept  = increment.contacts;
-        State      there = state;
-        system.motion().advance(there, step.increment, 1);
-        increment.generate(there, problem);
-        const double anew = increment.measure(there, problem);
-        if (anew < coupled_reduction * std::min(coupled_residual, 1e299) ||
-            coupled_residual > 1e299)
-          {
-            state        = std::move(there);
-            generated_at = state.q;
-            residual = lagged = coupled_residual = anew;
-            trusted                              = true;
-            last_factor                          = 1;
-            return true;
-          }
-        increment.contacts = kept;
-      }
-    coupled_from     = coupled_again * residual;
-    coupled_residual = 1e300;
-    return false;
+    return found && std::isfinite(step.move);
   }
 
 

@@ -62,6 +62,10 @@ namespace fiberloom
     double
     measure(const State &state, const Problem &problem);
 
+    /** The same with contacts anew, the matrix left as it is. */
+    double
+    measure_anew(State &state, const Problem &problem);
+
     /** Of what was assembled last. */
     double
     residual(const Problem &problem) const;

@@ -108,10 +108,14 @@ namespace fiberloom
     unsigned int
     predict_closing(const State &state, const Step &step);
 
-    /** A step whose friction limits follow, if that brings the regenerated
-     * problem nearer to balance. */
+    /** A step whose friction limits follow, if the regenerated problem then
+     * asks for a shorter one. */
     bool
     take_coupled_step(State &state, const Problem &problem);
+
+    /** By the matrix with limits that follow; whether there is a solution. */
+    bool
+    solve_coupled(const std::vector<double> &right_hand_side, Step &step);
 
     /** A part of @p step on which prescribed nodes move as far as allowed. */
     void
@@ -164,8 +168,8 @@ namespace fiberloom
     double              damping      = 0;    // over E r
     double              residual     = 0;    // over its scale
     double              lagged       = 0;    // that, when limits were last set
-    double              coupled_from = 0, coupled_residual = 0;
-    double              last_factor          = 1;
+    double              coupled_from = 0;
+    double              last_factor  = 1;
     int                 last_negative_pivots = 0;
   };
 } // namespace fiberloom
