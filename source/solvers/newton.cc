@@ -87,11 +87,12 @@ namespace fiberloom
                 const unsigned int most)
   {
     generated_at.resize(0);
-    trusted      = true;
-    damping      = 0;
-    coupled_from = problem.rule.friction ? coupled_below : 0;
-    residual     = 1e300;
-    lagged       = 0;
+    trusted        = true;
+    damping        = 0;
+    coupled_from   = problem.rule.friction ? coupled_below : 0;
+    residual       = 1e300;
+    lagged         = 0;
+    limits_are_new = false;
     for (unsigned int i = 0;; ++i)
       {
         refresh(state, problem);
@@ -133,7 +134,8 @@ namespace fiberloom
     if (problem.rule.friction && residual < lag_reduction * lagged)
       {
         increment.update_normals(state, problem);
-        lagged = 0;
+        lagged         = 0;
+        limits_are_new = true;
       }
     else if (is_stale)
       return;
@@ -156,6 +158,7 @@ namespace fiberloom
     generated_at = state.q;
     assemble(state, problem, Curvature::exact);
     residual = lagged = increment.residual(problem);
+    limits_are_new    = true;
     return residual < tolerance;
   }
 
@@ -313,7 +316,6 @@ namespace fiberloom
   bool
   Newton::take_coupled_step(State &state, const Problem &problem)
   {
-    const bool limits_are_new = residual == lagged;
     if (!(residual < coupled_from) || !limits_are_new || !is_exact ||
         damping > 0)
       return false;
@@ -341,6 +343,7 @@ namespace fiberloom
                 generated_at = state.q;
                 residual = lagged = anew;
                 coupled_from      = 1e300;
+                limits_are_new    = true;
                 trusted           = true;
                 last_factor       = factor;
                 return true;
@@ -429,6 +432,7 @@ namespace fiberloom
         damping_decay * damping < least_damping ? 0 : damping_decay * damping;
     trusted          = factor == 1 && actual > poor_model;
     last_factor      = factor;
+    limits_are_new   = false;
     state.q          = std::move(there.q);
     state.placements = std::move(there.placements);
   }

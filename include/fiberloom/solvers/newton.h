@@ -163,13 +163,14 @@ namespace fiberloom
 
     DofVector           generated_at;
     std::vector<double> gradient; // with the sign of a right hand side
-    bool                is_exact     = true; // the tangent of this iteration
-    bool                trusted      = true; // the model of the last one
-    double              damping      = 0;    // over E r
-    double              residual     = 0;    // over its scale
-    double              lagged       = 0;    // that, when limits were last set
-    double              coupled_from = 0;
-    double              last_factor  = 1;
+    bool                is_exact       = true; // the tangent of this iteration
+    bool                trusted        = true; // the model of the last one
+    double              damping        = 0;    // over E r
+    double              residual       = 0;    // over its scale
+    double              lagged         = 0; // that, when limits were last set
+    bool                limits_are_new = false; // of friction, at this state
+    double              coupled_from   = 0;
+    double              last_factor    = 1;
     int                 last_negative_pivots = 0;
   };
 } // namespace fiberloom
