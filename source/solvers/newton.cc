@@ -111,9 +111,10 @@ namespace fiberloom
             !find_step(state, problem, tolerance, step))
           return false;
         ++statistics.newton_iterations;
+        limits_are_new = !moves && take_coupled_step(state, problem);
         if (moves)
           follow_motion(state, problem, step);
-        else if (!take_coupled_step(state, problem))
+        else if (!limits_are_new)
           descend(state, problem, step);
       }
   }
@@ -343,7 +344,6 @@ namespace fiberloom
                 generated_at = state.q;
                 residual = lagged = anew;
                 coupled_from      = 1e300;
-                limits_are_new    = true;
                 trusted           = true;
                 last_factor       = factor;
                 return true;
@@ -432,7 +432,6 @@ namespace fiberloom
         damping_decay * damping < least_damping ? 0 : damping_decay * damping;
     trusted          = factor == 1 && actual > poor_model;
     last_factor      = factor;
-    limits_are_new   = false;
     state.q          = std::move(there.q);
     state.placements = std::move(there.placements);
   }

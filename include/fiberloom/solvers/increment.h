@@ -45,8 +45,8 @@ namespace fiberloom
     void
     generate(State &state, const Problem &problem);
 
-    /** As generate(), but friction keeps its particles, planes and limits
-     * where a contact is still there. */
+    /** As generate(), but friction keeps its particles, history and
+     * limits where a contact is still there. */
     void
     regenerate(State &state, const Problem &problem);
 
