@@ -72,14 +72,6 @@ namespace fiberloom
     void
     remove_outer_products();
 
-    /** Collective. */
-    bool
-    has_outer_products() const
-    {
-      return dealii::Utilities::MPI::max(int(!outer_products.empty()),
-                                         numbering.communicator()) == 1;
-    }
-
     /** Whether products have these parts. */
     void
     use_outer_products(const bool used)
