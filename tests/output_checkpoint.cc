@@ -57,6 +57,8 @@ namespace
     checkpoint.stages[0].converged                       = true;
     checkpoint.stages[1].largest_penetration_over_radius = .02 / 3;
     checkpoint.stages[1].largest_section_change          = .004 / 3;
+    checkpoint.stages[1].elastic_energy                  = .0195 / 3;
+    checkpoint.stages[1].negative_pivots                 = 2;
     checkpoint.stages[1].seconds.detection               = 1.5;
     checkpoint.run                       = {"0123", "set a = b\n"};
     checkpoint.output.tables["some.csv"] = "stage,increment,load\n";
@@ -91,6 +93,8 @@ namespace
              b.stages[1].largest_penetration_over_radius &&
            a.stages[1].largest_section_change ==
              b.stages[1].largest_section_change &&
+           a.stages[1].elastic_energy == b.stages[1].elastic_energy &&
+           a.stages[1].negative_pivots == b.stages[1].negative_pivots &&
            a.stages[1].seconds.detection == b.stages[1].seconds.detection &&
            a.run.id == b.run.id && a.run.asked == b.run.asked &&
            a.output.tables == b.output.tables &&

@@ -36,6 +36,7 @@ main(int argc, char **argv)
   summary.stages[1].name                            = "relax";
   summary.stages[1].largest_penetration_over_radius = .0215;
   summary.stages[1].largest_section_change          = .004;
+  summary.stages[1].elastic_energy                  = .0195;
   summary.stages[1].estimated_error.mesh            = .0025;
 
   std::istringstream          text(summary_json(summary));

@@ -24,7 +24,7 @@
 #include <cstring>
 #include <sstream>
 
-BOOST_CLASS_VERSION(fiberloom::StageStatistics, 2)
+BOOST_CLASS_VERSION(fiberloom::StageStatistics, 3)
 
 namespace boost
 {
@@ -65,6 +65,8 @@ namespace boost
         }
       if (version >= 2)
         ar &s.largest_section_change &s.estimated_error.matrix;
+      if (version >= 3)
+        ar &s.elastic_energy &s.negative_pivots;
     }
 
     template <class Archive>

@@ -214,7 +214,8 @@ namespace fiberloom
                                  s.wall,
                                  s.estimate,
                                  statistics.largest_penetration_over_radius,
-                                 statistics.largest_section_change})
+                                 statistics.largest_section_change,
+                                 statistics.elastic_energy})
         good = good && is_within(value, -largest_number, largest_number);
       demand(good, "a record of a stage");
     }

@@ -141,6 +141,8 @@ namespace fiberloom
         .member("largest_penetration_over_radius",
                 stage.largest_penetration_over_radius)
         .member("largest_section_change", stage.largest_section_change)
+        .member("elastic_energy_N_mm", stage.elastic_energy)
+        .member("negative_pivots", stage.negative_pivots)
         .raw("estimated_error", error)
         .member("crossings_out_of_order", stage.crossings_out_of_order)
         .member("contact_elements", stage.contact_elements)

@@ -247,6 +247,9 @@ namespace fiberloom
     statistics.largest_section_change =
       std::max(statistics.largest_section_change,
                scene.mesh.largest_section_change(state.q));
+    statistics.elastic_energy =
+      system.stored_energy(state, equilibrium.contacts());
+    statistics.negative_pivots = equilibrium.negative_pivots();
     statistics.crossings_out_of_order =
       generator.crossings_out_of_order(state.q);
   }

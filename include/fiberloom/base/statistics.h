@@ -52,6 +52,8 @@ namespace fiberloom
     unsigned int factorizations                  = 0;
     double       largest_penetration_over_radius = 0;
     double       largest_section_change          = 0; // over its width
+    double       elastic_energy                  = 0; // [N mm]
+    int          negative_pivots                 = 0; // of the last tangent
     unsigned int crossings_out_of_order          = 0;
     std::size_t  contact_elements                = 0;
     Seconds      seconds;
