@@ -55,10 +55,6 @@ namespace fiberloom
                      damping_decay = .1;
     constexpr double good_model = .75, poor_model = .25;
 
-    // From a saddle, along the softest mode, over the radius.
-    constexpr double       away_from_saddle   = .01;
-    constexpr unsigned int inverse_iterations = 3;
-
     // Of the linear systems: what they leave is well below what is asked for.
     constexpr double linear_part = .01, loosest_system = 1e-4,
                      tightest_system = 1e-9, coupled_system = 1e-6;
@@ -109,15 +105,7 @@ namespace fiberloom
         watch({residual, damping, last_factor});
         if (!moves && residual < tolerance &&
             is_at_rest(state, problem, tolerance))
-          {
-            if (is_stable(state, tolerance))
-              return true;
-            if (i == most)
-              return false;
-            ++statistics.newton_iterations;
-            leave_saddle(state);
-            continue;
-          }
+          return true;
         Step step;
         if (i == most || !std::isfinite(residual) ||
             !find_step(state, problem, tolerance, step))
@@ -173,58 +161,6 @@ namespace fiberloom
     residual = lagged = increment.residual(problem);
     limits_are_new    = true;
     return residual < tolerance;
-  }
-
-
-
-  bool
-  Newton::is_stable(const State &state, const double tolerance)
-  {
-    Step step;
-    solve_linear(state, tolerance, 0, LinearSolver::Indefinite::refused, step);
-    return last_negative_pivots <= 0;
-  }
-
-
-
-  void
-  Newton::leave_saddle(State &state)
-  {
-    // Inverse iteration, from any vector that is the same on all ranks.
-    std::vector<double> vector = gradient;
-    const auto         &dofs   = system.layout().owned_dofs();
-    for (unsigned int i = 0; i < vector.size(); ++i)
-      vector[i] = std::sin(1. + dofs.nth_index_in_set(i));
-    LinearSolver::Outcome outcome;
-    Step                  step;
-    {
-      ScopedTimer timer(statistics.seconds.linear_solver);
-      outcome =
-        linear_solver.solve(system.matrix(),
-                            state.q,
-                            vector,
-                            std::vector<double>(system.layout().n_blocks(), 0.),
-                            least_damping * system.stiffness_scale(),
-                            step.solution,
-                            LinearSolver::Indefinite::shifted,
-                            loosest_system);
-      for (unsigned int k = 0; k < inverse_iterations; ++k)
-        {
-          vector = step.solution;
-          linear_solver.solve_again(
-            system.matrix(), vector, loosest_system, step.solution, outcome);
-        }
-    }
-    add(statistics, outcome);
-    step.increment = system.gather(step.solution);
-    step.move      = system.motion().largest_move(step.increment);
-    double slope   = 0;
-    for (unsigned int i = 0; i < gradient.size(); ++i)
-      slope += gradient[i] * step.solution[i];
-    slope = dealii::Utilities::MPI::sum(slope, system.layout().communicator());
-    system.motion().advance(state,
-                            step.increment,
-                            std::copysign(away_from_saddle, slope) / step.move);
   }
 
 

@@ -49,10 +49,9 @@ namespace fiberloom
 
     /**
      * Moves @p state , in which prescribed dofs are at their targets and
-     * contacts have been generated, to stable equilibrium: everything generated
-     * anew, the residual is below @p tolerance times its scale, and the exact
-     * tangent has no negative pivot. False, with @p state spoilt, where @p most
-     * iterations do not lead there.
+     * contacts have been generated, to equilibrium: everything generated
+     * anew, the residual is below @p tolerance times its scale. False, with
+     * @p state spoilt, where @p most iterations do not lead there.
      */
     bool
     solve(State             &state,
@@ -60,7 +59,7 @@ namespace fiberloom
           const double       tolerance,
           const unsigned int most);
 
-    /** Of the exact tangent; -1 if its factorisation failed. */
+    /** Of the last exact tangent; -1 if its factorisation failed. */
     int
     negative_pivots() const
     {
@@ -84,14 +83,6 @@ namespace fiberloom
      * where it is not. */
     bool
     is_at_rest(State &state, const Problem &problem, const double tolerance);
-
-    /** Whether the exact tangent, assembled last, has no negative pivot. */
-    bool
-    is_stable(const State &state, const double tolerance);
-
-    /** Along the mode in which the energy falls fastest. */
-    void
-    leave_saddle(State &state);
 
     void
     assemble(const State    &state,
