@@ -80,24 +80,51 @@ namespace fiberloom
 
 
 
+  std::vector<double>
+  System::unbalanced_forces() const
+  {
+    const std::vector<double> free = free_residual();
+    std::vector<double>       forces;
+    for (unsigned int row = 0; row < numbering.owned_blocks().size(); ++row)
+      {
+        const unsigned int block = numbering.owned_blocks()[row];
+        double             force = 0;
+        for (unsigned int i = 0; i < numbering.size(block); ++i)
+          {
+            const bool   moment = block >= numbering.n_nodes() && i >= 3;
+            const double value =
+              std::abs(free[numbering.local_first_dof(row) + i]);
+            force =
+              std::max(force, moment ? value / mesh.smallest_radius() : value);
+          }
+        forces.push_back(force);
+      }
+    return forces;
+  }
+
+
+
   double
   System::residual_norm() const
   {
     double norm = 0;
-    for (unsigned int row = 0; row < numbering.owned_blocks().size(); ++row)
-      {
-        const unsigned int block = numbering.owned_blocks()[row];
-        for (unsigned int i = 0; i < numbering.size(block); ++i)
-          if (!movement.is_fixed(numbering.first_dof(block) + i))
-            {
-              const bool   moment = block >= numbering.n_nodes() && i >= 3;
-              const double value =
-                std::abs(residual[numbering.local_first_dof(row) + i]);
-              norm =
-                std::max(norm, moment ? value / mesh.smallest_radius() : value);
-            }
-      }
+    for (const double force : unbalanced_forces())
+      norm = std::max(norm, force);
     return dealii::Utilities::MPI::max(norm, numbering.communicator());
+  }
+
+
+
+  unsigned int
+  System::most_unbalanced() const
+  {
+    const double              norm   = residual_norm();
+    const std::vector<double> forces = unbalanced_forces();
+    unsigned int              first  = numbering.n_blocks();
+    for (unsigned int row = 0; row < forces.size(); ++row)
+      if (forces[row] == norm)
+        first = std::min(first, numbering.owned_blocks()[row]);
+    return dealii::Utilities::MPI::min(first, numbering.communicator());
   }
 
 

@@ -24,7 +24,7 @@
 #include <cstring>
 #include <sstream>
 
-BOOST_CLASS_VERSION(fiberloom::StageStatistics, 3)
+BOOST_CLASS_VERSION(fiberloom::StageStatistics, 4)
 
 namespace boost
 {
@@ -67,6 +67,8 @@ namespace boost
         ar &s.largest_section_change &s.estimated_error.matrix;
       if (version >= 3)
         ar &s.elastic_energy &s.negative_pivots;
+      if (version >= 4)
+        ar &s.estimated_error.tolerance;
     }
 
     template <class Archive>

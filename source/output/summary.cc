@@ -120,6 +120,7 @@ namespace fiberloom
           .member("stations", stage.estimated_error.stations)
           .member("penetration", stage.estimated_error.penetration)
           .member("matrix", stage.estimated_error.matrix)
+          .member("tolerance", stage.estimated_error.tolerance)
           .member("total", stage.estimated_error.total)
           .str();
       return JsonObject(2)

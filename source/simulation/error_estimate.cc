@@ -17,10 +17,13 @@ namespace fiberloom
 {
   namespace
   {
-    // Balance is not waited for where fibers touch: the first iteration already
-    // gives a stiff response, and soft fibers take many, also in a matrix,
-    // which holds only the outer ones.
-    constexpr unsigned int n_in_contact = 2, n_otherwise = 40;
+    // Balance is not waited for where fibers touch: the first iterations
+    // already give a stiff response, and soft fibers take many. As many again
+    // are made until they change the curve by no more than this part of what
+    // all have changed, or by what no accuracy asks for; not in so many, and
+    // nothing is known of the error.
+    constexpr unsigned int first_iterations = 2, most_iterations = 64;
+    constexpr double       settled_part = .25, negligible = 2e-4;
 
     // Columns that are smaller than this part of what is usual have no scale.
     constexpr double least_scale = 1e-3;
@@ -44,6 +47,9 @@ namespace fiberloom
       return force > 0 ? sum / force : 0;
     }
 
+    // What a tolerance leaves is in proportion to it.
+    constexpr double of_tolerance = 1 / (1 - tighter);
+
     struct Outcome
     {
       CurveRow begun; // the curve's row where the stage began, without forces
@@ -52,13 +58,98 @@ namespace fiberloom
       double   unresolved  = 0; // force that the solver leaves [N]
     };
 
-    /** What some iterations make of @p found with other parameters. */
-    Outcome
+    std::string
+    unit(const std::string &column)
+    {
+      const auto bracket = column.find('[');
+      return bracket == std::string::npos ? "" : column.substr(bracket);
+    }
+
+
+
+    /**
+     * Largest change of the columns of a unit since the stage began, forces
+     * counted from zero; units in which nothing to speak of happens are left
+     * out, @p radius being that of a fiber, and forces that the
+     * solver does not resolve to a thousandth.
+     */
+    std::map<std::string, double>
+    scales(const Outcome &outcome, const double radius)
+    {
+      std::map<std::string, double> largest;
+      for (unsigned int c = 0; c < outcome.curve.size(); ++c)
+        {
+          const auto &[column, value] = outcome.curve[c];
+          double &scale               = largest[unit(column)];
+          scale = std::max(scale, std::abs(value - outcome.begun[c].second));
+        }
+      const double                                      force = largest["[N]"];
+      const std::vector<std::pair<std::string, double>> usual{
+        {"[N]", outcome.unresolved / (least_scale * least_scale)},
+        {"[N.mm]", force * radius},
+        {"[mm]", radius},
+        {"[rad]", 1}};
+      std::map<std::string, double> scales;
+      for (const auto &[name, value] : usual)
+        if (largest[name] > least_scale * value)
+          scales[name] = largest[name];
+      return scales;
+    }
+
+
+
+    /** Of each column with a unit, over its scale. */
+    Eigen::ArrayXd
+    change(const Outcome                       &from,
+           const Outcome                       &to,
+           const std::map<std::string, double> &scale)
+    {
+      Eigen::ArrayXd change(from.curve.size());
+      for (unsigned int c = 0; c < change.size(); ++c)
+        {
+          const auto found = scale.find(unit(from.curve[c].first));
+          change[c] =
+            found == scale.end() ?
+              0 :
+              (to.curve[c].second - from.curve[c].second) / found->second;
+        }
+      return change;
+    }
+
+
+
+    double
+    largest(const Eigen::ArrayXd &change)
+    {
+      return change.abs().maxCoeff();
+    }
+
+
+
+    /** Thrown where iterations do not settle. */
+    struct Unsettled
+    {};
+
+
+
+    /** A state, and what iterations make of it with other parameters. */
+    struct Response
+    {
+      Outcome before, after;
+    };
+
+    /**
+     * What iterations make of @p found with other parameters; @p from : what
+     * changes are counted from, or null: from the state itself. Throws
+     * Unsettled where they go on changing it.
+     */
+    Response
     solve(const Scene                 &scene,
           const std::string           &name,
           const State                 &before,
           const State                 &found,
           const Refinement            &refinement,
+          const Outcome               *from,
           const MPI_Comm               comm,
           const std::function<void()> &ask)
     {
@@ -89,89 +180,49 @@ namespace fiberloom
                                                    load),
                                     stage->node_forces(load)},
                                    stage->rule(load)};
-      if (found.contact.zones.empty())
-        equilibrium.iterate(state, problem, n_otherwise, 0);
-      else
+      problem.rule.points_follow = true;
+
+      const auto outcome = [&]() -> Outcome {
+        std::vector<ContactElement> contacts =
+          generator.generate(state.q, start.q, problem.rule, state.contact);
+        system.reinit(contacts);
+        system.assemble_residual(state, problem.targets, contacts);
+        State begun      = state;
+        begun.q          = state.stage_start_q;
+        begun.placements = state.stage_start_placements;
+        begun.load       = 0;
+        return {stage->curve(begun,
+                             std::vector<BodyVector>(supports.bodies.size(),
+                                                     BodyVector::Zero())),
+                stage->curve(state, system.reactions()),
+                mean_penetration(contacts),
+                contacts.empty() ?
+                  parameters.solver.newton_tolerance * system.force_scale() :
+                  0};
+      };
+
+      Response     response{outcome(), {}};
+      unsigned int done = 0;
+      for (unsigned int n = first_iterations; done < most_iterations; n = done)
         {
-          problem.rule.points_follow = true;
-          equilibrium.approach(state, problem, n_in_contact);
+          const Outcome last    = response.after;
+          const bool    at_rest = equilibrium.approach(state, problem, n);
+          response.after        = outcome();
+          if (at_rest)
+            return response;
+          if (done > 0)
+            {
+              const auto scale =
+                scales(response.after, scene.mesh.smallest_radius());
+              const double moved = largest(
+                change(from ? *from : response.before, response.after, scale));
+              if (largest(change(last, response.after, scale)) <=
+                  std::max(settled_part * moved, negligible))
+                return response;
+            }
+          done += n;
         }
-
-      std::vector<ContactElement> contacts =
-        generator.generate(state.q, start.q, problem.rule, state.contact);
-      system.reinit(contacts);
-      system.assemble_residual(state, problem.targets, contacts);
-      State begun      = state;
-      begun.q          = state.stage_start_q;
-      begun.placements = state.stage_start_placements;
-      begun.load       = 0;
-      return {stage->curve(begun,
-                           std::vector<BodyVector>(supports.bodies.size(),
-                                                   BodyVector::Zero())),
-              stage->curve(state, system.reactions()),
-              mean_penetration(contacts),
-              contacts.empty() ?
-                parameters.solver.newton_tolerance * system.force_scale() :
-                0};
-    }
-
-    std::string
-    unit(const std::string &column)
-    {
-      const auto bracket = column.find('[');
-      return bracket == std::string::npos ? "" : column.substr(bracket);
-    }
-  } // namespace
-
-
-
-  namespace
-  {
-    /**
-     * Largest change of the columns of a unit since the stage began, forces
-     * counted from zero; units in which nothing to speak of happens are left
-     * out, @p radius being that of a fiber, and forces that the
-     * solver does not resolve to a thousandth.
-     */
-    std::map<std::string, double>
-    scales(const Outcome &outcome, const double radius)
-    {
-      std::map<std::string, double> largest;
-      for (unsigned int c = 0; c < outcome.curve.size(); ++c)
-        {
-          const auto &[column, value] = outcome.curve[c];
-          double &scale               = largest[unit(column)];
-          scale = std::max(scale, std::abs(value - outcome.begun[c].second));
-        }
-      const double                                      force = largest["[N]"];
-      const std::vector<std::pair<std::string, double>> usual{
-        {"[N]", outcome.unresolved / (least_scale * least_scale)},
-        {"[N.mm]", force * radius},
-        {"[mm]", radius},
-        {"[rad]", 1}};
-      std::map<std::string, double> scales;
-      for (const auto &[name, value] : usual)
-        if (largest[name] > least_scale * value)
-          scales[name] = largest[name];
-      return scales;
-    }
-
-    /** Of each column with a unit, over its scale. */
-    Eigen::ArrayXd
-    change(const Outcome                       &from,
-           const Outcome                       &to,
-           const std::map<std::string, double> &scale)
-    {
-      Eigen::ArrayXd change(from.curve.size());
-      for (unsigned int c = 0; c < change.size(); ++c)
-        {
-          const auto found = scale.find(unit(from.curve[c].first));
-          change[c] =
-            found == scale.end() ?
-              0 :
-              (to.curve[c].second - from.curve[c].second) / found->second;
-        }
-      return change;
+      throw Unsettled();
     }
   } // namespace
 
@@ -187,13 +238,16 @@ namespace fiberloom
   {
     if (!create_stage(name, scene)->is_test())
       return {};
-    const auto solve_with = [&](const Refinement &refinement) {
-      return solve(scene, name, before, found, refinement, comm, ask);
-    };
     try
       {
-        const Outcome now   = solve_with({});
-        const auto    scale = scales(now, scene.mesh.smallest_radius());
+        const Response unrefined =
+          solve(scene, name, before, found, {}, nullptr, comm, ask);
+        const Outcome &now        = unrefined.after;
+        const auto     solve_with = [&](const Refinement &refinement) {
+          return solve(scene, name, before, found, refinement, &now, comm, ask)
+            .after;
+        };
+        const auto scale = scales(now, scene.mesh.smallest_radius());
         if (scale.count("[N]") + scale.count("[N.mm]") == 0)
           return {};
         const Outcome        finer = solve_with({2, 1, 1});
@@ -213,17 +267,21 @@ namespace fiberloom
                           (now.penetration - stiffer.penetration) *
                           change(now, stiffer, scale);
           }
-        const auto largest = [](const Eigen::ArrayXd &change) {
-          return change.abs().maxCoeff();
-        };
+        const Eigen::ArrayXd tolerance =
+          of_tolerance * change(unrefined.before, now, scale);
         return {largest(mesh),
                 largest(stations),
                 largest(penetration),
                 scene.composite ? largest(matrix) :
                                   std::numeric_limits<double>::quiet_NaN(),
-                largest(mesh + stations + penetration + matrix)};
+                largest(mesh + stations + penetration + matrix + tolerance),
+                largest(tolerance)};
       }
     catch (const StageFailure &)
+      {
+        return {};
+      }
+    catch (const Unsettled &)
       {
         return {};
       }

@@ -10,9 +10,6 @@ namespace fiberloom
 {
   namespace
   {
-    // The state found is in balance by the scene's own tolerance.
-    constexpr double tighter = 1e-3;
-
     Vector3
     interpolate(const MatrixMesh      &mesh,
                 const Eigen::VectorXd &x,
@@ -41,6 +38,7 @@ namespace fiberloom
     parameters.contact.line_stiffness *= refinement.stiffness;
     parameters.contact.initial_stiffness *= refinement.stiffness;
     parameters.solver.contact_tolerance *= tighter;
+    parameters.solver.newton_tolerance *= tighter;
     return parameters;
   }
 

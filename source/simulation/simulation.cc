@@ -39,7 +39,9 @@ namespace fiberloom
         {error.mesh, "a larger \"Elements per fiber\""},
         {error.stations, "a larger \"Stations per element\""},
         {error.penetration, "a smaller \"Largest penetration\""},
-        {error.matrix, "larger \"Cells along x\" and \"Cells along y\""}};
+        {error.matrix, "larger \"Cells along x\" and \"Cells along y\""},
+        {error.tolerance,
+         "a smaller \"Contact tolerance\" or \"Newton tolerance\""}};
       double      largest = 0;
       std::string setting;
       for (const auto &[part, finer] : parts)
@@ -58,6 +60,24 @@ namespace fiberloom
       const auto more = changes.size() - 1;
       return changes.front() +
              (more > 0 ? ", and " + std::to_string(more) + " more" : "");
+    }
+
+    /** Whether something holds the crossing tows, whose ends `bend` lets go:
+     * loose from the first increment on, they find no balance. */
+    void
+    check_bending(const Parameters &parameters, const State &state)
+    {
+      bool has_matrix = !state.matrix.is_empty();
+      for (unsigned int s = state.stage; s < parameters.stages.size(); ++s)
+        {
+          has_matrix = has_matrix || parameters.stages[s] == "coat";
+          if (parameters.stages[s] == "bend" && !has_matrix)
+            throw InputError(
+              parameters.where("Stages") +
+              ": bend needs a matrix, which coat makes: in a dry fabric "
+              "crossing tows whose ends are free hang on friction alone, and "
+              "come loose");
+        }
     }
 
     /** Null where there is no directory to be locked yet. */
@@ -337,6 +357,7 @@ namespace fiberloom
   {
     check_junctions(parameters, mesh);
     State state = initial_state();
+    check_bending(parameters, state);
     // Where coating comes first, what is wrong with it shows at once.
     std::vector<std::string> notes = input_notes(parameters, fibers);
     if (state.stage < parameters.stages.size() &&
@@ -493,16 +514,23 @@ namespace fiberloom
       log.write(
         (boost::format("%-8s estimated error of the loading curve "
                        "%.2g %%: mesh %.2g %%, stations %.2g %%, "
-                       "penetration %.2g %%%s") %
+                       "penetration %.2g %%%s, tolerance %.2g %%") %
          statistics.name % (100 * error.total) % (100 * error.mesh) %
          (100 * error.stations) % (100 * error.penetration) %
          (std::isfinite(error.matrix) ?
             str(boost::format(", matrix %.2g %%") % (100 * error.matrix)) :
-            ""))
+            "") %
+         (100 * error.tolerance))
           .str());
+    else if (create_stage(statistics.name, scene)->is_test())
+      log.write((boost::format("%-8s no estimate of the curve's error: with "
+                               "finer settings nothing settles, or there is "
+                               "no force") %
+                 statistics.name)
+                  .str());
     if (error.total > too_much)
-      log.write((boost::format("%-8s that is too much to be relied on; %s, or "
-                               "tighter tolerances, may help") %
+      log.write((boost::format("%-8s that is too much to be relied on; %s may "
+                               "help") %
                  statistics.name % finer_setting(error))
                   .str());
   }

@@ -183,13 +183,58 @@ namespace fiberloom
                              (boost::format("%.4f") % state.load).str() +
                              ": the increment failed after " +
                              std::to_string(cuts) + " cuts" +
-                             (tiny ? ", tiny as it is" : "") + advice(passed));
+                             (tiny ? ", tiny as it is" : "") +
+                             unbalanced(found) + advice(passed));
         state.step /= 2;
         log.write((boost::format("  %-8s increment to load %.4f failed, cut "
                                  "to %.2e") %
                    name % load % state.step)
                     .str());
       }
+  }
+
+
+
+  std::string
+  StageRun::unbalanced(const State &state) const
+  {
+    const unsigned int block = system.most_unbalanced();
+    const double       force = system.residual_norm();
+    if (!(force > 0) || block >= system.layout().n_blocks())
+      return "";
+    const unsigned int n_fiber_nodes = scene.mesh.n_nodes();
+    Vector3            place;
+    std::string        what = "a node of the matrix";
+    if (block < n_fiber_nodes)
+      {
+        unsigned int fiber = 0;
+        while (block >= scene.mesh.lines()[fiber].first_node +
+                          scene.mesh.lines()[fiber].n_nodes())
+          ++fiber;
+        const Tow &tow = scene.fibers.tows[scene.fibers.fibers[fiber].tow];
+        place          = state.q.segment<3>(9 * block);
+        what           = "fiber " + std::to_string(fiber);
+        if (tow.family != Tow::Family::none)
+          what += (tow.family == Tow::Family::warp ? " of warp tow " :
+                                                     " of fill tow ") +
+                  std::to_string(tow.number);
+      }
+    else if (block < system.layout().n_nodes())
+      place =
+        state.q.segment<3>(9 * n_fiber_nodes + 3 * (block - n_fiber_nodes));
+    else
+      {
+        const unsigned int body = block - system.layout().n_nodes();
+        place                   = state.placements[body].position;
+        what                    = "body " + supports.bodies[body].name;
+      }
+    double largest = 0;
+    for (const ContactElement &contact : equilibrium.contacts())
+      largest = std::max(largest, contact.normal_force);
+    return (boost::format(", %.1e N out of balance at %s (%.4g, %.4g, %.4g mm)"
+                          ", the largest contact force being %.1e N") %
+            force % what % place[0] % place[1] % place[2] % largest)
+      .str();
   }
 
 

@@ -343,14 +343,18 @@ namespace fiberloom
 
 
 
-  void
+  bool
   Equilibrium::approach(State             &state,
                         const Problem     &problem,
                         const unsigned int n)
   {
-    Problem following            = problem;
-    following.rule.points_follow = true;
-    by_newton.solve(state, following, 0, n);
+    increment.generate(state, problem);
+    if (increment.contacts.empty())
+      return newton(state, problem, increment.tolerance());
+    return by_newton.solve(state,
+                           problem,
+                           parameters.solver.contact_tolerance,
+                           n);
   }
 
 

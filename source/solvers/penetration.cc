@@ -14,10 +14,10 @@ namespace fiberloom
 {
   namespace
   {
-    // Beyond this multiple of the largest penetration zones are stiffened. Each
-    // time costs iterations, so all that are beyond the second one take part,
-    // and do so before an increment begins.
-    constexpr double depth_tolerance = 1.3, stiffened_from = .7;
+    // Stiffening costs iterations: where a zone is deeper than the largest
+    // penetration, all take part that are beyond this multiple of it, and do so
+    // before an increment begins.
+    constexpr double stiffened_from     = .5;
     constexpr double largest_stiffening = 6;
 
     // More than in proportion: the force grows with the stiffness.
@@ -94,8 +94,7 @@ namespace fiberloom
     const std::vector<ContactElement> &contacts) const
   {
     return parameters.line_stiffness == 0 &&
-           avoidable(contacts) >
-             depth_tolerance * parameters.largest_penetration;
+           avoidable(contacts) > parameters.largest_penetration;
   }
 
 

@@ -10,7 +10,9 @@ On the scenes of scenes.py each knob is turned alone, the others at their base v
 are turned together, and draft, standard and fine are run. For each run it prints the error
 against the reference of the scene, how far the numbers are from those with the finest value
 of the same knob, the program's estimate, CPU seconds of the process and Newton iterations. The
-scene `unseen` runs the ten of unseen.py with an error asked for in per cent.
+scene `unseen` runs the ten of unseen.py with an error asked for in per cent, `ways` the fabrics
+of ways.py by ways that should not matter, and `estimates` compares what runs say of their error
+with the error that they have.
 
 --write puts tables into the blocks of a document that are marked for them, pictures into
 pictures/accuracy/ beside it, and what finest runs gave into references.json here. --keep takes
@@ -33,7 +35,9 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [HERE, os.path.join(HERE, ".."), os.path.join(HERE, "..", "verification")]
 
+import estimates
 import unseen
+import ways
 from documents import markdown_table, replace_block
 from plot import front, picture
 from scenes import LEVELS, SCENES, SHORT, error, mean
@@ -44,6 +48,9 @@ REFERENCES = os.path.join(HERE, "references.json")
 QUIET = ("Output/Pictures=false", "Output/Fields every=0", "Output/Slices=none", "Output/Checkpoint every=1000")
 LIMIT = 1800  # seconds of a run
 LEAST = 1e-6  # an error below it is shown as this one
+TABLES = {"unseen": lambda run: unseen.judge(run, percent), "ways": ways.judge,
+          "estimates": lambda run: estimates.judge(run, percent)}
+STUDIES = list(SCENES) + list(TABLES)
 
 
 class Runs:
@@ -66,15 +73,16 @@ class Runs:
         in_force = self.ask("--print-parameters", *words).splitlines()
         return self.version + "\n".join(line for line in in_force if not line.startswith("set Accuracy "))
 
-    def __call__(self, file, settings):
+    def __call__(self, file, settings, ranks=1, checkpoint=None):
         if isinstance(settings, dict):
             settings = assignments(settings)
         words = [os.path.join(PRM, file + ".prm")]
         for setting in QUIET + tuple(settings):
             words += ["--set", setting]
-        key = hashlib.sha256(self.key(words).encode()).hexdigest()[:16]
+        how = ([] if ranks == 1 else ["mpirun", "-np", f"{ranks}"]), ([] if checkpoint is None else ["--restart", checkpoint])
+        key = hashlib.sha256((self.key(words) + "".join(sum(how, []))).encode()).hexdigest()[:16]
         if key not in self.done:
-            self.done[key] = self.kept(key) or self.run(words, key)
+            self.done[key] = self.kept(key) or self.run(words, key, *how)
         return self.done[key]
 
     def kept(self, key):
@@ -84,10 +92,10 @@ class Runs:
         with open(note) as text:
             return Result(os.path.dirname(note), float(text.read()))
 
-    def run(self, words, key):
+    def run(self, words, key, launcher, more):
         directory = os.path.join(self.work, key)
         shutil.rmtree(directory, ignore_errors=True)
-        words = [self.program, *words, "--output-directory", directory]
+        words = [*launcher, self.program, *words, *more, "--output-directory", directory]
         before = cpu_of_children()
         done = subprocess.run(words, capture_output=True, text=True, timeout=LIMIT)
         if done.returncode != 0:
@@ -264,16 +272,16 @@ def hold_levels(names, run):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
-    parser.add_argument("scenes", nargs="*", help=f"{', '.join(SCENES)}, unseen; all if none is named")
+    parser.add_argument("scenes", nargs="*", help=f"{', '.join(STUDIES)}; all if none is named")
     parser.add_argument("--work", default="accuracy")
     parser.add_argument("--write")
     parser.add_argument("--keep", action="store_true")
     parser.add_argument("--levels", action="store_true")
     arguments = parser.parse_intermixed_args()
-    names = arguments.scenes or list(SCENES) + ["unseen"]
-    unknown = set(names) - set(SCENES) - {"unseen"}
+    names = arguments.scenes or STUDIES
+    unknown = set(names) - set(STUDIES)
     if unknown:
-        parser.error(f"no scene {', '.join(sorted(unknown))}; allowed: {', '.join(SCENES)}, unseen")
+        parser.error(f"no scene {', '.join(sorted(unknown))}; allowed: {', '.join(STUDIES)}")
     os.makedirs(arguments.work, exist_ok=True)
     run = Runs(arguments.program, arguments.work, arguments.keep)
     if arguments.levels:
@@ -281,10 +289,10 @@ def main():
         sys.exit(hold_levels([name for name in names if name in held and SCENES[name].levels is not None], run) > 0)
     for name in names:
         print(f"== {name}", flush=True)
-        if name == "unseen":
-            text = unseen.judge(run, percent)
+        if name in TABLES:
+            text = TABLES[name](run)
             if arguments.write:
-                write_block(arguments.write, "unseen", text)
+                write_block(arguments.write, name, text)
         else:
             study(name, run, arguments.write)
 

@@ -21,7 +21,7 @@ SCENES = {
     "k1_crossed": ("force_upper[N]", "lower_end_force_x[N]"),
     "k2_bundle_7": ("twist_force_x[N]", "twist_moment_x[N.mm]"),
 }
-FINEST = {ELEMENTS: 64, STATIONS: 4, PENETRATION: .0025, CONTACT: 2e-4}
+FINEST = {ELEMENTS: 64, STATIONS: 4, PENETRATION: .0025, CONTACT: 1e-5}
 
 
 def curve(result, columns):

@@ -36,6 +36,7 @@ namespace fiberloom
     double penetration = std::numeric_limits<double>::quiet_NaN();
     double matrix      = std::numeric_limits<double>::quiet_NaN();
     double total       = std::numeric_limits<double>::quiet_NaN();
+    double tolerance   = std::numeric_limits<double>::quiet_NaN();
   };
 
   /** What a stage cost and reached; one entry of "stages" in summary.json. */

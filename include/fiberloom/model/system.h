@@ -116,9 +116,14 @@ namespace fiberloom
     bool
     has_potential(const Targets &targets) const;
 
-    /** Largest unbalanced force over the free dofs [N]. */
+    /** Largest unbalanced force over the free dofs [N]; moments count over the
+     * radius. */
     double
     residual_norm() const;
+
+    /** The first node or body whose dofs have it, see BlockLayout. */
+    unsigned int
+    most_unbalanced() const;
 
     /** Largest force inside a fiber element or from outside, a scale for the
      * residual [N]. */
@@ -232,6 +237,10 @@ namespace fiberloom
 
     bool
     touches_owned(const unsigned int *nodes, const unsigned int n) const;
+
+    /** Largest unbalanced force of each owned block [N]. */
+    std::vector<double>
+    unbalanced_forces() const;
 
     void
     eliminate_fixed(const std::vector<double> &increments);

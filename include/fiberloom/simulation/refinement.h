@@ -22,8 +22,10 @@ namespace fiberloom
     unsigned int cells     = 1; // of the matrix along each direction, for one
   };
 
-  /** Of a finer scene, with a tolerance far below that by which a state was
-   * found. */
+  /** Tolerances of a refined scene over those by which a state was found. */
+  constexpr double tighter = .1;
+
+  /** Of a finer scene, with tighter tolerances. */
   Parameters
   refine(Parameters parameters, const Refinement &refinement);
 

@@ -59,6 +59,11 @@ namespace fiberloom
     void
     take_increment(State &state);
 
+    /** Where the increment that failed is farthest from balance, at @p state ,
+     * for the message. */
+    std::string
+    unbalanced(const State &state) const;
+
     /** What may help where increments fail, for the message; @p passed :
      * whether fibers would have passed through each other in one. */
     std::string

@@ -65,8 +65,9 @@ namespace fiberloom
     bool
     solve_by_newton(State &state, const Problem &problem);
 
-    /** At most @p n iterations of Newton's method, converged or not. */
-    void
+    /** At most @p n iterations of Newton's method, or all that it takes where
+     * nothing touches; whether they lead to balance. */
+    bool
     approach(State &state, const Problem &problem, const unsigned int n);
 
     /**
