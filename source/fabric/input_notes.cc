@@ -5,6 +5,7 @@
 #include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
+#include <fiberloom/fabric/fiber_density.h>
 #include <fiberloom/fabric/input_notes.h>
 
 #include <boost/format.hpp>
@@ -145,6 +146,19 @@ namespace fiberloom
         check(parameters.fibers.density, density_range, "Fibers/Density");
       }
 
+      /** Of a fabric. */
+      void
+      check_areal_weight(const FiberSet &fibers, const std::string &entry)
+      {
+        for (const Fiber &fiber : fibers.fibers)
+          if (!known_density(fiber))
+            return add(parameters.where(entry) +
+                       " is not given, and a Young modulus of " +
+                       exact_text(fiber.young_modulus) +
+                       " MPa is not that of glass: the areal weight is left "
+                       "out");
+      }
+
       std::vector<std::string>
       all() const
       {
@@ -178,6 +192,10 @@ namespace fiberloom
       }
     else
       notes.check_fibers(fibers);
+    if (fibers.pattern)
+      notes.check_areal_weight(fibers,
+                               parameters.is_fabric() ? "Fabric/Warp/Density" :
+                                                        "Fibers/Density");
     if (parameters.has_matrix())
       notes.check({parameters.matrix.young_modulus},
                   matrix_range,

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fiberloom
@@ -152,5 +153,31 @@ namespace fiberloom
     for (unsigned int i = 0; i <= line.n_elements * n_intervals; ++i)
       sections.push_back(mesh.section(q, sample_point(line, i, n_intervals)));
     return sections;
+  }
+
+
+
+  double
+  parameter_on_plane(const FiberMesh   &mesh,
+                     const DofVector   &q,
+                     const unsigned int fiber,
+                     const double       start,
+                     const Vector3     &point,
+                     const Vector3     &normal)
+  {
+    const double n = mesh.lines()[fiber].n_elements;
+    double       u = start;
+    for (unsigned int i = 0; i < 8; ++i)
+      {
+        const auto   section = mesh.section(q, mesh.locate(fiber, u));
+        const double slope   = section.center_derivative.dot(normal);
+        if (slope <= 0)
+          break;
+        const double step = (point - section.center).dot(normal) / slope;
+        u                 = std::clamp(u + step, 0., n);
+        if (std::abs(step) < 1e-10)
+          break;
+      }
+    return u;
   }
 } // namespace fiberloom

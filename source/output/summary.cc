@@ -165,17 +165,23 @@ namespace fiberloom
   std::string
   summary_json(const Summary &summary)
   {
-    return JsonObject(0)
-             .member("program", std::string("fiberloom"))
-             .member("version", summary.version)
-             .member("revision", summary.revision)
-             .member("run", summary.run)
-             .member("ranks", summary.ranks)
-             .member("converged", summary.converged)
-             .raw("model", model_json(summary.model))
-             .raw("stages", stages_json(summary.stages))
-             .member("peak_memory_bytes", summary.peak_memory_bytes)
-             .str() +
+    JsonObject json(0);
+    json.member("program", std::string("fiberloom"))
+      .member("version", summary.version)
+      .member("revision", summary.revision)
+      .member("run", summary.run)
+      .member("ranks", summary.ranks)
+      .member("converged", summary.converged)
+      .raw("model", model_json(summary.model))
+      .raw("stages", stages_json(summary.stages));
+    if (!summary.fabric.empty())
+      {
+        JsonObject fabric(1);
+        for (const auto &[name, value] : summary.fabric)
+          fabric.member(name, value);
+        json.raw("fabric", fabric.str());
+      }
+    return json.member("peak_memory_bytes", summary.peak_memory_bytes).str() +
            "\n";
   }
 

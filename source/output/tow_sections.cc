@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/output/fiber_samples.h>
 #include <fiberloom/output/tow_sections.h>
 
 #include <deal.II/base/numbers.h>
@@ -19,23 +20,16 @@ namespace fiberloom
 {
   namespace
   {
-    using HullPoint = boost::geometry::model::d2::point_xy<double>;
-
     constexpr unsigned int border_points = 48;
 
-    /** A point of the tow's mean line, and axes of the plane across it. */
-    struct TowStation
-    {
-      Vector3 center, tangent, across, up;
-    };
-
-    TowStation
+    /** Center and axes of the plane. */
+    TowCut
     tow_station(const Tow       &tow,
                 const FiberMesh &mesh,
                 const DofVector &q,
                 const double     fraction)
     {
-      TowStation station;
+      TowCut station;
       station.center.setZero();
       station.tangent.setZero();
       for (const unsigned int fiber : tow.fibers)
@@ -56,109 +50,127 @@ namespace fiberloom
       return station;
     }
 
-    /** Where the fiber passes the station's plane, by Newton's method. */
-    Section
-    section_in_plane(const FiberMesh   &mesh,
-                     const DofVector   &q,
-                     const unsigned int fiber,
-                     const TowStation  &station,
-                     const double       fraction)
+    /** Corners of the borders of the fibers' cuts, drawn along each fiber onto
+     * the plane. */
+    std::vector<TowCut::Point>
+    borders(const TowCut &cut, const unsigned int n_around)
     {
-      const double n = mesh.lines()[fiber].n_elements;
-      double       u = fraction * n;
-      for (unsigned int i = 0; i < 8; ++i)
+      std::vector<TowCut::Point> points;
+      for (const Section &section : cut.fibers)
         {
-          const auto   section = mesh.section(q, mesh.locate(fiber, u));
-          const double slope   = section.center_derivative.dot(station.tangent);
-          if (slope <= 0)
-            break;
-          const double step =
-            (station.center - section.center).dot(station.tangent) / slope;
-          u = std::clamp(u + step, 0., n);
-          if (std::abs(step) < 1e-10)
-            break;
+          const Vector3 axis  = section.tangent();
+          const double  slant = axis.dot(cut.tangent);
+          for (unsigned int j = 0; j < n_around; ++j)
+            {
+              const double  angle = 2 * dealii::numbers::PI * j / n_around;
+              const Vector3 p     = section.center +
+                                std::cos(angle) * section.vector_1 +
+                                std::sin(angle) * section.vector_2;
+              points.push_back(cut.point(
+                p - axis * ((p - cut.center).dot(cut.tangent) / slant)));
+            }
         }
-      return mesh.section(q, mesh.locate(fiber, u));
-    }
-
-    /** Appends the fiber's cut, its border drawn along it onto the plane. */
-    void
-    append_border(std::vector<HullPoint> &points,
-                  const Section          &section,
-                  const TowStation       &station)
-    {
-      const Vector3 axis  = section.tangent();
-      const double  slant = axis.dot(station.tangent);
-      for (unsigned int j = 0; j < border_points; ++j)
-        {
-          const double angle = 2 * dealii::numbers::PI * j / border_points;
-          Vector3      p     = section.center - station.center +
-                      std::cos(angle) * section.vector_1 +
-                      std::sin(angle) * section.vector_2;
-          p -= axis * (p.dot(station.tangent) / slant);
-          points.emplace_back(p.dot(station.across), p.dot(station.up));
-        }
+      return points;
     }
 
     double
-    hull_area(const std::vector<HullPoint> &points)
+    extent(const std::vector<TowCut::Point> &points, const unsigned int d)
     {
-      boost::geometry::model::multi_point<HullPoint> cloud;
-      cloud.assign(points.begin(), points.end());
-      boost::geometry::model::polygon<HullPoint> hull;
-      boost::geometry::convex_hull(cloud, hull);
-      return boost::geometry::area(hull);
-    }
-
-    void
-    measure_outline(TowSection &result, const std::vector<HullPoint> &points)
-    {
-      const auto [left, right] =
-        std::minmax_element(points.begin(),
-                            points.end(),
-                            [](const auto &a, const auto &b) {
-                              return a.x() < b.x();
-                            });
       const auto [low, high] =
         std::minmax_element(points.begin(),
                             points.end(),
-                            [](const auto &a, const auto &b) {
-                              return a.y() < b.y();
+                            [d](const auto &a, const auto &b) {
+                              return a[d] < b[d];
                             });
-      result.width  = right->x() - left->x();
-      result.height = high->y() - low->y();
-      result.area   = hull_area(points);
+      return (*high)[d] - (*low)[d];
     }
 
     TowSection
-    tow_section(const Tow       &tow,
-                const FiberMesh &mesh,
-                const DofVector &q,
-                const double     fraction)
+    tow_section(const TowCut &cut)
     {
-      const TowStation       station = tow_station(tow, mesh, q, fraction);
-      std::vector<HullPoint> points;
-      double                 fiber_area = 0;
-      TowSection             result{};
+      TowSection result{};
       result.centroid.setZero();
-      for (const unsigned int fiber : tow.fibers)
+      double fiber_area = 0;
+      for (std::size_t f = 0; f < cut.fibers.size(); ++f)
         {
-          const auto section =
-            section_in_plane(mesh, q, fiber, station, fraction);
-          append_border(points, section, station);
-
-          const double area = dealii::numbers::PI *
-                              section.vector_1.cross(section.vector_2).norm() /
-                              section.tangent().dot(station.tangent);
-          fiber_area += area;
-          result.centroid += area * section.center;
+          fiber_area += cut.areas[f];
+          result.centroid += cut.areas[f] * cut.fibers[f].center;
         }
       result.centroid /= fiber_area;
-      measure_outline(result, points);
-      result.packing = fiber_area / result.area;
+      const auto hull = cut.hull(border_points);
+      result.width    = extent(hull, 0);
+      result.height   = extent(hull, 1);
+      result.area     = polygon_area(hull);
+      result.packing  = fiber_area / result.area;
       return result;
     }
   } // namespace
+
+
+
+  TowCut::Point
+  TowCut::point(const Vector3 &position) const
+  {
+    return {{(position - center).dot(across), (position - center).dot(up)}};
+  }
+
+
+
+  std::vector<TowCut::Point>
+  TowCut::hull(const unsigned int n_around) const
+  {
+    using HullPoint = boost::geometry::model::d2::point_xy<double>;
+    boost::geometry::model::multi_point<HullPoint> cloud;
+    for (const Point &p : borders(*this, n_around))
+      cloud.emplace_back(p[0], p[1]);
+    boost::geometry::model::polygon<HullPoint, false, false> hull;
+    boost::geometry::convex_hull(cloud, hull);
+    std::vector<Point> corners;
+    for (const HullPoint &p : hull.outer())
+      corners.push_back({{p.x(), p.y()}});
+    return corners;
+  }
+
+
+
+  TowCut
+  cut_tow(const Tow       &tow,
+          const FiberMesh &mesh,
+          const DofVector &q,
+          const double     fraction)
+  {
+    TowCut cut = tow_station(tow, mesh, q, fraction);
+    for (const unsigned int fiber : tow.fibers)
+      {
+        const double u =
+          parameter_on_plane(mesh,
+                             q,
+                             fiber,
+                             fraction * mesh.lines()[fiber].n_elements,
+                             cut.center,
+                             cut.tangent);
+        const auto section = mesh.section(q, mesh.locate(fiber, u));
+        cut.fibers.push_back(section);
+        cut.areas.push_back(dealii::numbers::PI *
+                            section.vector_1.cross(section.vector_2).norm() /
+                            section.tangent().dot(cut.tangent));
+      }
+    return cut;
+  }
+
+
+
+  double
+  polygon_area(const std::vector<TowCut::Point> &polygon)
+  {
+    double twice = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      {
+        const auto &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        twice += a[0] * b[1] - a[1] * b[0];
+      }
+    return .5 * twice;
+  }
 
 
 
@@ -176,7 +188,7 @@ namespace fiberloom
     for (unsigned int i = 0; i <= n_intervals; ++i)
       {
         sections.push_back(
-          tow_section(the_tow, mesh, q, double(i) / n_intervals));
+          tow_section(cut_tow(the_tow, mesh, q, double(i) / n_intervals)));
         if (i > 0)
           sections[i].abscissa =
             sections[i - 1].abscissa +

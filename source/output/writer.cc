@@ -213,6 +213,8 @@ namespace fiberloom
     record(state.stage, entry);
     summary.model.contact_elements = report.contacts.size();
 
+    if (report.last)
+      measure(report.stage, state.stage, state.increment, state.q);
     if (!parameters.output.only_summary)
       write_files(report);
     if (report.last)
@@ -247,6 +249,47 @@ namespace fiberloom
                    increment_label(label, state.increment));
     if (report.last)
       write_end_of_stage(report, label);
+  }
+
+
+
+  void
+  OutputWriter::show_end(const State &state)
+  {
+    const SecondsGuard guard(output_seconds);
+    if (fabric.rows().empty())
+      measure(parameters.stages.back(),
+              parameters.stages.size() - 1,
+              0,
+              state.q);
+    if (!parameters.output.only_summary && fibers.pattern)
+      collectively(comm, [&]() {
+        if (is_first_rank())
+          write_file(path(fabric.file()), fabric.str(), true);
+      });
+    write_summary(true);
+  }
+
+
+
+  void
+  OutputWriter::measure(const std::string &stage,
+                        const unsigned int stage_index,
+                        const unsigned int increment,
+                        const DofVector   &q)
+  {
+    if (!fibers.pattern)
+      return;
+    const auto part = part_between_crossings(fibers, mesh, q);
+    if (part)
+      fabric.append(stage_index,
+                    stage,
+                    increment,
+                    1,
+                    fabric_measures(fibers, mesh, q, *part));
+    else
+      log.write("the fabric is not measured: it is not flat, or has less than "
+                "two tows in a direction");
   }
 
 
@@ -304,6 +347,7 @@ namespace fiberloom
   {
     summary.converged         = converged;
     summary.stages            = statistics;
+    summary.fabric            = fabric.last();
     summary.peak_memory_bytes = peak_memory_bytes(comm);
     collectively(comm, [&]() {
       if (is_first_rank())
@@ -440,10 +484,13 @@ namespace fiberloom
 
 
 
-  std::array<IncrementTable *, 2>
+  std::vector<IncrementTable *>
   OutputWriter::tables()
   {
-    return {{&curve, &reactions}};
+    std::vector<IncrementTable *> all = {&curve, &reactions};
+    if (fibers.pattern)
+      all.push_back(&fabric);
+    return all;
   }
 
 
@@ -485,10 +532,11 @@ namespace fiberloom
     if (parameters.output.pictures)
       write_pictures(report, label);
     collectively(comm, [&]() {
-      if (is_first_rank())
-        write_file(path("trajectories.csv"),
-                   trajectories_csv(fibers, mesh, report.state.q),
-                   true);
+      if (!is_first_rank())
+        return;
+      write_file(path("trajectories.csv"),
+                 trajectories_csv(fibers, mesh, report.state.q),
+                 true);
     });
   }
 } // namespace fiberloom

@@ -318,8 +318,11 @@ namespace fiberloom
       record_stages_before(state, writer);
     writer.begin(nothing_left);
     if (nothing_left)
-      log.write("nothing is left to do: " + command_line.restart +
-                " has all stages of this scene behind it");
+      {
+        log.write("nothing is left to do: " + command_line.restart +
+                  " has all stages of this scene behind it");
+        writer.show_end(state);
+      }
     else if (continues)
       log.write((boost::format("goes on from %s: stage %s, load %.4f") %
                  command_line.restart % parameters.stages[state.stage] %

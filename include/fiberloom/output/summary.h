@@ -9,6 +9,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fiberloom
@@ -16,14 +17,15 @@ namespace fiberloom
   /** What summary.json says, see doc/manual.md. */
   struct Summary
   {
-    std::string                  version;
-    std::string                  revision;
-    std::string                  run; // its id
-    unsigned int                 ranks     = 1;
-    bool                         converged = false;
-    ModelSize                    model;
-    std::vector<StageStatistics> stages;
-    double                       peak_memory_bytes = 0;
+    std::string                                 version;
+    std::string                                 revision;
+    std::string                                 run; // its id
+    unsigned int                                ranks     = 1;
+    bool                                        converged = false;
+    ModelSize                                   model;
+    std::vector<StageStatistics>                stages;
+    std::vector<std::pair<std::string, double>> fabric; // empty: no member
+    double                                      peak_memory_bytes = 0;
   };
 
   /** As a JSON object; numbers that are not finite become null. */

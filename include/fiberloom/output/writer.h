@@ -17,6 +17,7 @@
 
 #include <fiberloom/output/checkpoint.h>
 #include <fiberloom/output/curves.h>
+#include <fiberloom/output/fabric_measures.h>
 #include <fiberloom/output/fields.h>
 #include <fiberloom/output/reactions.h>
 #include <fiberloom/output/summary.h>
@@ -89,6 +90,14 @@ namespace fiberloom
     void
     operator()(const IncrementReport &report);
 
+    /**
+     * Measures @p state , which has all stages behind it, as the
+     * end of the last stage does. To be called after begin() where no stage is
+     * left.
+     */
+    void
+    show_end(const State &state);
+
     /** Checkpoint and summary.json; @p state begins the next stage. */
     void
     end_stage(const State &state);
@@ -158,7 +167,14 @@ namespace fiberloom
     void
     write_tables(const IncrementReport &report);
 
-    std::array<IncrementTable *, 2>
+    /** A row of fabric.csv, where there is a fabric. */
+    void
+    measure(const std::string &stage,
+            const unsigned int stage_index,
+            const unsigned int increment,
+            const DofVector   &q);
+
+    std::vector<IncrementTable *>
     tables();
 
     std::array<FieldSeries *, 5>
@@ -186,6 +202,7 @@ namespace fiberloom
     FieldSeries                  junction_series;
     LoadingCurve                 curve;
     ReactionTable                reactions;
+    FabricTable                  fabric;
     std::vector<StageStatistics> statistics;
     bool                         goes_on = false;
 

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_output_fabric_measures_h
+#define fiberloom_output_fabric_measures_h
+
+#include <fiberloom/output/increment_table.h>
+#include <fiberloom/output/measured_part.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fiberloom
+{
+  /** Name with unit, and value, in the order of the documents. */
+  using Measures = std::vector<std::pair<std::string, double>>;
+
+  /**
+   * Thickness, areal weight, fractions of fiber, crimp and the tows' sections
+   * of @p part of a fabric at @p q . What cannot be known, as the weight of
+   * fibers without density, is left out.
+   */
+  Measures
+  fabric_measures(const FiberSet     &fibers,
+                  const FiberMesh    &mesh,
+                  const DofVector    &q,
+                  const MeasuredPart &part);
+
+  /** Volume of the fibers at @p q between parameters u [mm^3]. */
+  double
+  fiber_volume(const FiberMesh             &mesh,
+               const DofVector             &q,
+               const unsigned int           fiber,
+               const std::array<double, 2> &range);
+
+  /** The rows of fabric.csv, one for each stage that is done. */
+  class FabricTable : public IncrementTable
+  {
+  public:
+    FabricTable();
+
+    void
+    append(const unsigned int stage_index,
+           const std::string &stage,
+           const unsigned int increment,
+           const double       load,
+           const Measures    &measures);
+
+    /** Those of the last row; empty if there is none. */
+    Measures
+    last() const;
+  };
+} // namespace fiberloom
+
+#endif
