@@ -340,6 +340,77 @@ namespace fiberloom
                          (parameters.is_fabric() ? "Fabric/Warp/" : "Fibers/") +
                          "Density above 0");
     }
+    /** Of a fabric with ends, what only a cell has; of a cell, what needs
+     * ends. */
+    void
+    check_cell(const Parameters &parameters)
+    {
+      const FabricParameters &fabric = parameters.fabric;
+      if (fabric.periodic && !parameters.is_fabric())
+        throw InputError(parameters.where("Fabric/Periodic") +
+                         ": the scene has no fabric, as Fibers/" +
+                         parameters.fibers.sources().front() +
+                         " is given; allowed: false");
+      for (const std::string &stage : parameters.stages)
+        {
+          const bool of_cell = stage == "compact" || stage == "stiffness";
+          const bool of_ends = stage == "coat" || stage == "shear" ||
+                               stage == "bend" || stage == "load";
+          if (of_cell && !fabric.periodic)
+            throw InputError(parameters.where("Stages") + ": " + stage +
+                             " needs a periodic cell; allowed: with "
+                             "Fabric/Periodic = true");
+          if (of_ends && fabric.periodic)
+            throw InputError(parameters.where("Stages") + ": " + stage +
+                             " needs tow ends, which a periodic cell has not; "
+                             "allowed: weave, relax, biaxial, compact, "
+                             "stiffness");
+        }
+      if (fabric.cell_cut.size() != 2)
+        throw InputError(parameters.where("Fabric/Cell cut") + ": " +
+                         std::to_string(fabric.cell_cut.size()) +
+                         " numbers; allowed: two, along warp and fill");
+      for (const bool is_warp : {true, false})
+        {
+          const TowParameters &tows     = is_warp ? fabric.warp : fabric.fill;
+          const TowParameters &crossing = is_warp ? fabric.fill : fabric.warp;
+          if (fabric.periodic &&
+              std::abs(tows.overhang - .5 * crossing.tow_spacing) >
+                1e-9 * crossing.tow_spacing)
+            throw InputError(parameters.where(is_warp ?
+                                                "Fabric/Warp/Overhang" :
+                                                "Fabric/Fill/Overhang") +
+                             " = " + exact_text(tows.overhang) +
+                             ": a periodic cell has no tow ends; allowed: 0");
+        }
+      if (parameters.biaxial.other_direction == "free" && !fabric.periodic)
+        throw InputError(parameters.where("Biaxial/Other direction") +
+                         " = free: tow ends are held; allowed: strained, or "
+                         "Fabric/Periodic = true");
+    }
+
+    void
+    check_compact(const Parameters &parameters)
+    {
+      const CompactParameters &compact = parameters.compact;
+      if (std::count(parameters.stages.begin(),
+                     parameters.stages.end(),
+                     "compact") == 0)
+        return;
+      if ((compact.thickness > 0) + (compact.volume_fraction > 0) +
+            (compact.pressure > 0) !=
+          1)
+        throw InputError(parameters.where("Compact/Thickness") +
+                         ", Fiber volume fraction and Pressure: one of them "
+                         "says how far the plates go; allowed: one above 0");
+      constexpr double packed = .9068996821171089; // pi / sqrt(12)
+      if (compact.volume_fraction >= packed)
+        throw InputError(parameters.where("Compact/Fiber volume fraction") +
+                         " = " + exact_text(compact.volume_fraction) +
+                         ": more than round fibers can be packed to; allowed: "
+                         "below " +
+                         exact_text(packed));
+    }
   } // namespace
 
   void
@@ -364,6 +435,7 @@ namespace fiberloom
                       .lexically_normal();
     resolve_matrix();
     biaxial.first_step = std::min(biaxial.first_step, biaxial.largest_step);
+    compact.first_step = std::min(compact.first_step, compact.largest_step);
     load.first_step    = std::min(load.first_step, load.largest_step);
   }
 
@@ -398,7 +470,7 @@ namespace fiberloom
     if (stages.empty())
       throw InputError(where("Stages") +
                        " is empty; allowed: weave, relax, coat, biaxial, "
-                       "shear, bend, load");
+                       "shear, bend, compact, stiffness, load");
     if (const auto sources = fibers.sources(); sources.size() > 1)
       throw InputError(where("Fibers/" + sources[1]) + ": Fibers/" +
                        sources[0] + " is given, too; allowed: one of them");
@@ -417,6 +489,8 @@ namespace fiberloom
     for (const DriveParameters &drive : drives)
       check_drive(drive, *this);
     check_distributed_loads(*this);
+    check_cell(*this);
+    check_compact(*this);
     check_matrix_parameters(*this);
     check_size(*this);
 

@@ -156,6 +156,18 @@ namespace fiberloom
                     Allowed::text_like(
                       "plain, twill 2/2, twill 3/1, twill 1/3, satin 5, "
                       "satin 8, or rows of 0 and 1 with blanks or / between"));
+      catalogue.add("Periodic",
+                    fabric.periodic,
+                    "Whether the tows are a cell of an endless fabric, one or "
+                    "more periods of the pattern without tow ends, whose "
+                    "period is the number of tows times their spacing.",
+                    Allowed::true_or_false());
+      catalogue.add("Cell cut",
+                    fabric.cell_cut,
+                    "Where a periodic cell cuts its warp and its fill tows, "
+                    "from the middle between two tows that cross, over the "
+                    "spacing of these. Results do not depend on it.",
+                    Allowed::list_of(Allowed::from_to(-.5, .5), 2));
       catalogue.enter_section("Warp");
       declare_tows(catalogue, fabric.warp);
       catalogue.leave_section();
@@ -467,6 +479,11 @@ namespace fiberloom
                     biaxial.leading_direction,
                     "Direction that takes the largest strain.",
                     Allowed::one_of("warp|fill"));
+      catalogue.add("Other direction",
+                    biaxial.other_direction,
+                    "Whether the other direction is strained by the ratio or, "
+                    "in a periodic cell, free of mean stress.",
+                    Allowed::one_of("strained|free"));
       catalogue.add("First step",
                     biaxial.first_step,
                     "First increment, over the largest strain; never more "
@@ -475,6 +492,41 @@ namespace fiberloom
       catalogue.add("Largest step",
                     biaxial.largest_step,
                     "Largest increment, over the largest strain.",
+                    Allowed::from_to(1e-6, 1));
+      catalogue.leave_section();
+    }
+
+    void
+    declare_compact(ParameterCatalogue &catalogue, CompactParameters &compact)
+    {
+      catalogue.enter_section("Compact");
+      catalogue.add("Thickness",
+                    compact.thickness,
+                    "Distance of the plates at the end [mm]. One of this, "
+                    "Fiber volume fraction and Pressure has to be given.",
+                    Allowed::at_least(0));
+      catalogue.add("Fiber volume fraction",
+                    compact.volume_fraction,
+                    "Volume of the fibers over that between the plates at the "
+                    "end.",
+                    Allowed::from_to_below(0, 1));
+      catalogue.add("Pressure",
+                    compact.pressure,
+                    "Force on a plate over the area of the cell at the end "
+                    "[MPa].",
+                    Allowed::at_least(0));
+      catalogue.add("Return",
+                    compact.return_way,
+                    "Whether the plates go back to where they began.",
+                    Allowed::true_or_false());
+      catalogue.add("First step",
+                    compact.first_step,
+                    "First increment, over the whole way; never more than the "
+                    "largest step.",
+                    Allowed::from_to(1e-6, 1));
+      catalogue.add("Largest step",
+                    compact.largest_step,
+                    "Largest increment, over the whole way.",
                     Allowed::from_to(1e-6, 1));
       catalogue.leave_section();
     }
@@ -636,10 +688,11 @@ namespace fiberloom
       "What is done, in this order: weave moves the tows apart, "
       "relax lets the fabric come to rest, coat adds layers of matrix, biaxial "
       "pulls in both directions, shear makes a frame of the borders and tilts "
-      "it, bend turns two borders against each other, load moves and loads the "
-      "drives.",
-      Allowed::list_of(
-        Allowed::one_of("weave|relax|coat|biaxial|shear|bend|load")));
+      "it, bend turns two borders against each other, compact presses a "
+      "periodic cell between plates, stiffness finds its tangent stiffness, "
+      "load moves and loads the drives.",
+      Allowed::list_of(Allowed::one_of(
+        "weave|relax|coat|biaxial|shear|bend|compact|stiffness|load")));
     catalogue.add("Accuracy",
                   accuracy,
                   "Error of the loading curve to aim at: sets together the "
@@ -667,6 +720,7 @@ namespace fiberloom
     declare_biaxial(catalogue, biaxial);
     declare_shear(catalogue, shear);
     declare_bend(catalogue, bend);
+    declare_compact(catalogue, compact);
     declare_load(catalogue, load);
     declare_solver(catalogue, solver);
     declare_output(catalogue, output);

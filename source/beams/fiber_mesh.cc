@@ -9,6 +9,21 @@
 
 namespace fiberloom
 {
+  struct FiberMesh::Seen
+  {
+    FiberImages images;
+    FiberMesh   mesh;
+    std::array<std::array<unsigned int, 2>, 2>
+      ends; // nodes one period apart along x, along y
+
+    explicit Seen(const FiberSet &fibers)
+      : images(fibers)
+      , mesh(images.fibers)
+    {}
+  };
+
+
+
   namespace
   {
     template <class Nodes>
@@ -75,6 +90,80 @@ namespace fiberloom
           }
         fiber_lines.push_back(line);
       }
+    if (set.cell)
+      add_images(set);
+  }
+
+
+
+  void
+  FiberMesh::add_images(const FiberSet &fibers)
+  {
+    auto with_ends = std::make_shared<Seen>(fibers);
+    for (unsigned int f = 0; f < fiber_lines.size(); ++f)
+      {
+        const Line        &line  = fiber_lines[f];
+        const unsigned int last  = line.first_node + line.n_nodes() - 1;
+        const unsigned int along = direction(fibers.tows[line.tow]);
+        with_ends->ends[along]   = {{line.first_node, last}};
+        for (unsigned int n = line.first_node; n < last; ++n)
+          original_nodes.push_back({n, {{0, 0}}});
+        original_nodes.push_back({line.first_node, {{0, 0}}});
+        original_nodes.back().periods[along] = 1;
+        for (const unsigned int image :
+             {f, f + with_ends->images.n_originals()})
+          with_ends->mesh.fiber_lines[image].period = line.n_elements;
+      }
+    seen = with_ends;
+  }
+
+
+
+  const FiberImages *
+  FiberMesh::images() const
+  {
+    return seen ? &seen->images : nullptr;
+  }
+
+
+
+  const FiberMesh &
+  FiberMesh::with_images() const
+  {
+    return seen ? seen->mesh : *this;
+  }
+
+
+
+  DofVector
+  FiberMesh::with_images(const DofVector &q) const
+  {
+    if (!seen)
+      return q;
+    std::array<Vector3, 2> period;
+    for (unsigned int d = 0; d < 2; ++d)
+      period[d] =
+        q.segment<3>(9 * seen->ends[d][1]) - q.segment<3>(9 * seen->ends[d][0]);
+    DofVector all(9 * seen->images.nodes.size());
+    for (unsigned int n = 0; n < seen->images.nodes.size(); ++n)
+      {
+        const NodeImage &image = seen->images.nodes[n];
+        all.segment<9>(9 * n)  = q.segment<9>(9 * image.node);
+        all.segment<3>(9 * n) +=
+          image.periods[0] * period[0] + image.periods[1] * period[1];
+      }
+    return all;
+  }
+
+
+
+  double
+  FiberMesh::distance(const unsigned int fiber,
+                      const double       u,
+                      const double       v) const
+  {
+    const unsigned int period = fiber_lines[fiber].period;
+    return std::abs(period > 0 ? std::remainder(u - v, period) : u - v);
   }
 
 

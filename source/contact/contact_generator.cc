@@ -32,12 +32,13 @@ namespace fiberloom
     constexpr double least_distance = .01;
 
     std::vector<std::array<unsigned int, 2>>
-    find_woven_pairs(const FiberSet &set)
+    find_woven_pairs(const FiberSet &set, const FiberImages *images)
     {
       std::vector<std::array<unsigned int, 2>> pairs;
       for (unsigned int i = 0; set.pattern && i < set.fibers.size(); ++i)
         for (unsigned int j = i + 1; j < set.fibers.size(); ++j)
-          if (superimposition(set, i, j) != 0)
+          if (superimposition(set, i, j) != 0 &&
+              (images == nullptr || images->is_pair(i, j)))
             pairs.push_back({{i, j}});
       return pairs;
     }
@@ -62,17 +63,19 @@ namespace fiberloom
                                      const FiberMesh         &mesh,
                                      const ContactParameters &parameters,
                                      const MPI_Comm           comm)
-    : fibers(fibers)
-    , mesh(mesh)
+    : cell(mesh)
+    , fibers(mesh.images() ? mesh.images()->fibers : fibers)
+    , mesh(mesh.with_images())
     , parameters(parameters)
     , comm(comm)
-    , search(mesh,
+    , search(mesh.with_images(),
              parameters.search_margin * mesh.largest_radius(),
              .5 * mesh.largest_radius(),
              // Fibers of a fabric do not fold back on themselves.
              parameters.self_contact == "true" ||
-               (parameters.self_contact == "automatic" && !fibers.pattern))
-    , woven_pairs(find_woven_pairs(fibers))
+               (parameters.self_contact == "automatic" && !fibers.pattern),
+             mesh.images())
+    , woven_pairs(find_woven_pairs(this->fibers, mesh.images()))
   {}
 
 
@@ -183,8 +186,19 @@ namespace fiberloom
     ContactZone zone;
     zone.fibers = pair;
     zone.range  = range;
-    if (const ContactZone *predecessor =
-          find_predecessor(before.zones, pair, range, zone.stiffness))
+    const ContactZone *predecessor =
+      find_predecessor(before.zones, pair, range, zone.stiffness);
+    // What has slid over the cell's border is the zone of an image now.
+    for (int way = -1; cell.images() && !predecessor && way <= 1; way += 2)
+      {
+        auto moved = range;
+        for (unsigned int s = 0; s < 2; ++s)
+          for (double &u : moved[s])
+            u += way * int(mesh.lines()[pair[s]].period);
+        predecessor =
+          find_predecessor(before.zones, pair, moved, zone.stiffness);
+      }
+    if (predecessor != nullptr)
       {
         zone.crossing = predecessor->crossing;
         zone.side     = predecessor->side;
@@ -203,12 +217,13 @@ namespace fiberloom
 
 
   std::vector<ContactElement>
-  ContactGenerator::generate(const DofVector   &q,
+  ContactGenerator::generate(const DofVector   &q_of_cell,
                              const DofVector   &q_before,
                              const ContactRule &rule,
                              ContactState      &state)
   {
-    ContactState before;
+    const DofVector q = cell.with_images(q_of_cell);
+    ContactState    before;
     before.zones.swap(state.zones);
     std::vector<ContactElement> contacts;
     add_proximity_zones(q, rule, before, state, contacts);
@@ -216,7 +231,7 @@ namespace fiberloom
       add_woven_crossings(q, rule, before, state, contacts);
     if (rule.points_follow)
       let_points_follow(contacts, q, state);
-    update(contacts, q, q_before, rule, state);
+    update_seen(contacts, q, cell.with_images(q_before), rule, state);
     gather_contacts(comm, state.zones, contacts);
 
     // Sorted by fibers, so that predecessors are found by bisection.
@@ -311,6 +326,9 @@ namespace fiberloom
         const int   order = superimposition(fibers, pair[0], pair[1]);
         if (rule.from_above && order != 0)
           continue;
+        const auto counted = counted_part(proximity);
+        if (!(counted[0] < counted[1]))
+          continue;
 
         const ZoneClass kind(mesh, q, proximity, margin);
         ContactZone     zone = successor(pair,
@@ -323,7 +341,8 @@ namespace fiberloom
 
         if (!zone.crossing)
           {
-            add_parallel_stations(proximity, index, q, state, contacts);
+            add_parallel_stations(
+              proximity, counted, index, q, state, contacts);
             continue;
           }
 
@@ -335,6 +354,27 @@ namespace fiberloom
               sign(kind.t1.cross(kind.t2).dot(x.head<3>() - x.segment<3>(9)));
           }
       }
+  }
+
+
+
+  std::array<double, 2>
+  ContactGenerator::counted_part(const ProximityZone &zone) const
+  {
+    const FiberMesh::Line &line = mesh.lines()[zone.fibers[0]];
+    const double           n = line.period, end = line.n_elements;
+    const auto             range  = zone.range(0);
+    const FiberImages     *images = cell.images();
+    // Fibers of crossing tows meet once.
+    if (images == nullptr ||
+        superimposition(fibers, zone.fibers[0], zone.fibers[1]) != 0)
+      return {{0, end}};
+    if (range[1] - range[0] >= n)
+      return {{n, 2 * n}};
+    const double middle = .5 * (range[0] + range[1]);
+    if (middle >= n && middle < 2 * n)
+      return {{0, end}};
+    return {{0, 0}};
   }
 
 
@@ -419,6 +459,7 @@ namespace fiberloom
   void
   ContactGenerator::add_parallel_stations(
     const ProximityZone         &proximity,
+    const std::array<double, 2> &counted,
     const unsigned int           zone,
     const DofVector             &q,
     ContactState                &state,
@@ -435,9 +476,9 @@ namespace fiberloom
     state.zones[zone].divided.clear();
 
     // A station just beyond the zone may stand for a length within it.
-    const int last =
-      parameters.stations_per_element * mesh.lines()[pair[0]].n_elements;
-    for (int k = std::max(0., std::floor(range[0] / cell - .5));
+    const int first = std::lround(counted[0] / cell),
+              last  = std::lround(counted[1] / cell);
+    for (int k = std::max<int>(first, std::floor(range[0] / cell - .5));
          k < last && (k - .5) * cell < range[1];
          ++k)
       {
@@ -531,6 +572,7 @@ namespace fiberloom
     /** The nearest entry of the same fibers within half an element, or null. */
     const FrictionHistory *
     nearest_history(const std::vector<FrictionHistory> &history,
+                    const FiberMesh                    &mesh,
                     const ContactElement               &contact,
                     const double                        u)
     {
@@ -546,9 +588,11 @@ namespace fiberloom
                               });
            entry != history.end() && entry->fibers == contact.fibers;
            ++entry)
-        if (std::abs(entry->u[0] - u) < distance)
+        if (const double away =
+              mesh.distance(contact.fibers[0], entry->u[0], u);
+            away < distance)
           {
-            distance = std::abs(entry->u[0] - u);
+            distance = away;
             nearest  = &*entry;
           }
       return nearest;
@@ -589,6 +633,19 @@ namespace fiberloom
                            const ContactRule           &rule,
                            const ContactState          &state) const
   {
+    update_seen(
+      contacts, cell.with_images(q), cell.with_images(q_before), rule, state);
+  }
+
+
+
+  void
+  ContactGenerator::update_seen(std::vector<ContactElement> &contacts,
+                                const DofVector             &q,
+                                const DofVector             &q_before,
+                                const ContactRule           &rule,
+                                const ContactState          &state) const
+  {
     for (ContactElement &contact : contacts)
       {
         contact.stiffness = state.zones[contact.zone].stiffness;
@@ -624,7 +681,7 @@ namespace fiberloom
           particle_separation(contact, section_pair(contact, q_before));
         contact.slip_before.setZero();
         if (const FrictionHistory *history = nearest_history(
-              state.history, contact, mesh.parameter(contact.points[0])))
+              state.history, mesh, contact, mesh.parameter(contact.points[0])))
           {
             const Vector3 slip = turned * history->slip;
             contact.slip_before =
@@ -636,9 +693,11 @@ namespace fiberloom
 
 
   bool
-  ContactGenerator::may_pass(const DofVector &before,
-                             const DofVector &after) const
+  ContactGenerator::may_pass(const DofVector &before_in_cell,
+                             const DofVector &after_in_cell) const
   {
+    const DofVector before = cell.with_images(before_in_cell),
+                    after  = cell.with_images(after_in_cell);
     return searches() && fiberloom::may_pass(mesh,
                                              search.meeting(before, after),
                                              before,
@@ -648,9 +707,10 @@ namespace fiberloom
 
 
   unsigned int
-  ContactGenerator::crossings_out_of_order(const DofVector &q) const
+  ContactGenerator::crossings_out_of_order(const DofVector &q_of_cell) const
   {
-    unsigned int wrong = 0;
+    const DofVector q     = cell.with_images(q_of_cell);
+    unsigned int    wrong = 0;
     for (const auto &pair : woven_pairs)
       {
         ParameterPair start;

@@ -31,15 +31,30 @@ namespace fiberloom
 
 
 
-  ProximitySearch::ProximitySearch(const FiberMesh &mesh,
-                                   const double     margin,
-                                   const double     skin,
-                                   const bool       self_contact)
+  ProximitySearch::ProximitySearch(const FiberMesh   &mesh,
+                                   const double       margin,
+                                   const double       skin,
+                                   const bool         self_contact,
+                                   const FiberImages *images)
     : mesh(mesh)
     , margin(margin)
     , skin(skin)
     , self_contact(self_contact)
+    , images(images)
   {}
+
+
+
+  bool
+  ProximitySearch::are_pair(const unsigned int first_fiber,
+                            const unsigned int first_piece,
+                            const unsigned int second_fiber,
+                            const unsigned int second_piece) const
+  {
+    if (first_fiber == second_fiber)
+      return counts(mesh.lines()[first_fiber], first_piece, second_piece);
+    return images == nullptr || images->is_pair(first_fiber, second_fiber);
+  }
 
 
 
@@ -178,13 +193,9 @@ namespace fiberloom
         for (const auto &hit : hits)
           {
             const Owner other = owners[hit - segments.begin()];
-            if (other.fiber < fiber)
+            if (other.fiber < fiber ||
+                !are_pair(fiber, piece, other.fiber, other.piece))
               continue;
-            if (other.fiber == fiber)
-              {
-                if (!counts(line, piece, other.piece))
-                  continue;
-              }
             found.push_back({{{fiber, other.fiber}}, {{piece, other.piece}}});
           }
       }
@@ -225,8 +236,7 @@ namespace fiberloom
         Owner one = a.info(), other = b.info();
         if (std::tie(other.fiber, other.piece) < std::tie(one.fiber, one.piece))
           std::swap(one, other);
-        if (one.fiber != other.fiber ||
-            counts(mesh.lines()[one.fiber], one.piece, other.piece))
+        if (are_pair(one.fiber, one.piece, other.fiber, other.piece))
           pairs.push_back(
             {{{one.fiber, other.fiber}}, {{one.piece, other.piece}}});
       });

@@ -42,6 +42,7 @@ namespace fiberloom
       std::vector<SectionPoint> packing;                    // over the radius
       double                    half_width, half_thickness; // [mm]
       Vector3                   along, across;
+      double                    cut; // of a cell, where it starts [mm]
 
       double
       half_length() const
@@ -91,7 +92,11 @@ namespace fiberloom
               tows.fiber_radius * half_extent(packing, 0),
               tows.fiber_radius * half_extent(packing, 1),
               is_warp ? Vector3::UnitX() : Vector3::UnitY(),
-              is_warp ? Vector3::UnitY() : Vector3::UnitX()};
+              is_warp ? Vector3::UnitY() : Vector3::UnitX(),
+              fabric.periodic ?
+                fabric.cell_cut[is_warp ? 0 : 1] *
+                  (is_warp ? fabric.fill : fabric.warp).tow_spacing :
+                0};
     }
 
     /** Outer fibers of neighbours as far apart as fibers within a tow. */
@@ -101,7 +106,8 @@ namespace fiberloom
       const TowParameters &tows = family.tows;
       const double         least =
         2 * family.half_width + (tows.fiber_spacing - 2) * tows.fiber_radius;
-      if (tows.tows > 1 && tows.tow_spacing < least * (1 - tolerance))
+      if ((tows.tows > 1 || parameters.fabric.periodic) &&
+          tows.tow_spacing < least * (1 - tolerance))
         throw InputError(parameters.where(family.section + "Tow spacing") +
                          " = " + exact_text(tows.tow_spacing) +
                          ": neighboring tows overlap; allowed: at least " +
@@ -155,8 +161,9 @@ namespace fiberloom
       fiber.density       = family.tows.density;
       fiber.law           = axial_law(family.tows.axial_law);
       for (unsigned int n = 0; n < n_nodes; ++n)
-        fiber.centers.push_back(middle + half * (2. * n / (n_nodes - 1) - 1) *
-                                           family.along);
+        fiber.centers.push_back(
+          middle +
+          (half * (2. * n / (n_nodes - 1) - 1) + family.cut) * family.along);
       fiber.directions_1.assign(n_nodes, up.cross(family.along));
       fiber.directions_2.assign(n_nodes, up);
       return fiber;
@@ -187,6 +194,25 @@ namespace fiberloom
         }
     }
 
+    /** A cell holds whole periods of the weave. */
+    void
+    check_periods(const WeavePattern &pattern, const Parameters &parameters)
+    {
+      for (const bool is_warp : {true, false})
+        {
+          const FabricParameters &fabric  = parameters.fabric;
+          const std::string       section = is_warp ? "Warp" : "Fill";
+          const unsigned int      tows =
+            is_warp ? fabric.warp.tows : fabric.fill.tows;
+          if (pattern.period() > 0 && tows % pattern.period() != 0)
+            throw InputError(
+              parameters.where("Fabric/" + section + "/Tows") + " = " +
+              std::to_string(tows) + ": a periodic cell holds whole periods; " +
+              "allowed: multiples of " + std::to_string(pattern.period()) +
+              " for " + fabric.pattern);
+        }
+    }
+
     WeavePattern
     make_pattern(const Parameters &parameters)
     {
@@ -210,6 +236,12 @@ namespace fiberloom
   {
     FiberSet set;
     set.pattern = make_pattern(parameters);
+    if (const FabricParameters &fabric = parameters.fabric; fabric.periodic)
+      {
+        check_periods(*set.pattern, parameters);
+        set.cell = {{fabric.fill.tows * fabric.fill.tow_spacing,
+                     fabric.warp.tows * fabric.warp.tow_spacing}};
+      }
 
     const Family warp = make_family(Tow::Family::warp, parameters);
     const Family fill = make_family(Tow::Family::fill, parameters);

@@ -99,10 +99,18 @@ namespace fiberloom
       section = level(section, new_rotation * attachment.radial);
 
     NodeVector moved;
+    moved.tail<6>() = section;
+    if (attachment.carried)
+      {
+        moved.head<3>() =
+          dofs.head<3>() +
+          *attachment.carried * (after.position - before.position) +
+          attachment.center_frame * local_change.head<3>();
+        return moved;
+      }
     moved.head<3>() =
       after.position + turn * (dofs.head<3>() - before.position) +
       new_rotation * attachment.center_frame * local_change.head<3>();
-    moved.tail<6>() = section;
     return moved;
   }
 
@@ -134,34 +142,62 @@ namespace fiberloom
 
 
 
-  HeldGroup::HeldGroup(const unsigned int     *nodes,
-                       const unsigned int      n_nodes,
-                       const std::vector<int> &attachment_of_node,
-                       const Supports         &supports,
-                       const BlockLayout      &layout)
+  HeldGroup::HeldGroup(const unsigned int           *nodes,
+                       const unsigned int            n_nodes,
+                       const std::vector<int>       &attachment_of_node,
+                       const Supports               &supports,
+                       const BlockLayout            &layout,
+                       const std::vector<NodeImage> &images)
     : n_nodes(n_nodes)
     , supports(supports)
     , layout(layout)
     , blocks(nodes, nodes + n_nodes)
     , held(n_nodes, nullptr)
+    , carried(n_nodes)
     , body_position(n_nodes, 0)
   {
     for (unsigned int a = 0; a < n_nodes; ++a)
-      if (const int i = attachment_of_node[nodes[a]]; i >= 0)
-        {
-          held[a] = &supports.attachments[i];
-          const unsigned int body =
-            layout.body_block(supports.attachments[i].body);
-          auto found = std::find(blocks.begin() + n_nodes, blocks.end(), body);
-          if (found == blocks.end())
-            found = blocks.insert(blocks.end(), body);
-          body_position[a] = found - blocks.begin();
-        }
+      {
+        int body = -1;
+        if (nodes[a] < images.size())
+          if (const NodeImage &image = images[nodes[a]];
+              image.node != nodes[a] || image.periods != std::array<int, 2>())
+            {
+              blocks[a] = image.node;
+              body      = supports.cell->body;
+              carried[a] =
+                supports.cell->slope(image.periods[0], image.periods[1]);
+            }
+        if (const int i = blocks[a] < attachment_of_node.size() ?
+                            attachment_of_node[blocks[a]] :
+                            -1; // a body
+            i >= 0)
+          {
+            held[a] = &supports.attachments[i];
+            body    = held[a]->body;
+            if (held[a]->carried)
+              carried[a] =
+                carried[a].value_or(Matrix3::Zero()) + *held[a]->carried;
+          }
+        if (body >= 0)
+          body_position[a] = position_of_body(layout.body_block(body));
+      }
     offsets.push_back(0);
     for (const unsigned int block : blocks)
       offsets.push_back(offsets.back() + layout.size(block));
     forces.setZero(offsets.back());
     matrix.setZero(offsets.back(), offsets.back());
+  }
+
+
+
+  unsigned int
+  HeldGroup::position_of_body(const unsigned int block)
+  {
+    auto found = std::find(blocks.begin() + n_nodes, blocks.end(), block);
+    if (found == blocks.end())
+      found = blocks.insert(blocks.end(), block);
+    return found - blocks.begin();
   }
 
 
@@ -223,6 +259,41 @@ namespace fiberloom
           geometric(first + 8, first + 4) += lift;
         }
 
+    apply<n_dofs>(a, basis, motion, with_tangent);
+  }
+
+
+
+  void
+  HeldGroup::transform_carried(const unsigned int a, const bool with_tangent)
+  {
+    using Basis  = Eigen::Matrix<double, 9, 9>;
+    using Motion = Eigen::Matrix<double, 9, 6>;
+    Basis basis  = Basis::Identity();
+    if (held[a] != nullptr)
+      {
+        basis.topLeftCorner<3, 3>() = held[a]->center_frame;
+        for (const unsigned int v : {3, 6})
+          basis.block<3, 3>(v, v) = held[a]->frame;
+      }
+    Motion motion                = Motion::Zero();
+    motion.topLeftCorner<3, 3>() = *carried[a];
+    apply<9>(a, basis, motion, with_tangent);
+  }
+
+
+
+  template <int n_dofs>
+  void
+  HeldGroup::apply(const unsigned int                           a,
+                   const Eigen::Matrix<double, n_dofs, n_dofs> &basis,
+                   const Eigen::Matrix<double, n_dofs, 6>      &motion,
+                   const bool                                   with_tangent)
+  {
+    const unsigned int                     first = offset(a);
+    const unsigned int                     body  = offset(body_position[a]);
+    const Eigen::Matrix<double, n_dofs, 1> force =
+      forces.segment<n_dofs>(first);
     forces.segment<n_dofs>(first) = basis.transpose() * force;
     forces.segment<6>(body) += motion.transpose() * force;
     if (!with_tangent)
@@ -249,7 +320,9 @@ namespace fiberloom
     const unsigned int n         = forces.size();
     Eigen::MatrixXd    geometric = Eigen::MatrixXd::Zero(n, n);
     for (unsigned int a = 0; a < n_nodes; ++a)
-      if (held[a] != nullptr)
+      if (carried[a])
+        transform_carried(a, with_tangent);
+      else if (held[a] != nullptr)
         {
           if (size(a) == 9)
             transform_node<9>(a, q, placements, with_tangent, geometric);

@@ -43,6 +43,13 @@ namespace fiberloom
             fixed[layout.first_dof(block) + k] = true;
         blocks_with_fixed[block] = supports.bodies[b].prescribed.any();
       }
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      if (is_image(n))
+        {
+          blocks_with_fixed[n] = true;
+          for (unsigned int k = 0; k < layout.size(n); ++k)
+            fixed[layout.first_dof(n) + k] = true;
+        }
   }
 
 
@@ -107,6 +114,12 @@ namespace fiberloom
           move =
             std::max(move,
                      increment.segment<3>(9 * n + 3 * v).norm() / line.radius);
+    if (supports.cell && increment.size() == layout.n_dofs())
+      for (unsigned int b = 0; b < supports.bodies.size(); ++b)
+        move = std::max(
+          move,
+          increment.segment<3>(layout.first_dof(layout.body_block(b))).norm() /
+            mesh.smallest_radius());
     return move;
   }
 
@@ -125,7 +138,12 @@ namespace fiberloom
             Eigen::Map<const Eigen::VectorXd>(prescribed.data(),
                                               prescribed.size()),
             1);
-    return largest_move(moved.q - state.q);
+    Eigen::VectorXd change      = Eigen::VectorXd::Zero(layout.n_dofs());
+    change.head(state.q.size()) = moved.q - state.q;
+    for (unsigned int b = 0; b < state.placements.size(); ++b)
+      change.segment<3>(layout.first_dof(layout.body_block(b))) =
+        moved.placements[b].position - state.placements[b].position;
+    return largest_move(change);
   }
 
 
@@ -166,6 +184,27 @@ namespace fiberloom
           node += factor * increment.segment(first, size);
       }
     state.placements = std::move(moved);
+    place_images(state);
+  }
+
+
+
+  void
+  Motion::place_images(State &state) const
+  {
+    if (!supports.cell)
+      return;
+    const PeriodicCell &cell       = *supports.cell;
+    const Vector3       elongation = state.placements[cell.body].position;
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      if (is_image(n))
+        {
+          const NodeImage &image    = mesh.originals()[n];
+          const auto [x, y]         = image.periods;
+          state.q.segment<9>(9 * n) = state.q.segment<9>(9 * image.node);
+          state.q.segment<3>(9 * n) +=
+            cell.shift(x, y) + cell.slope(x, y) * elongation;
+        }
   }
 
 
@@ -184,7 +223,9 @@ namespace fiberloom
         const NodeVector before = node_dofs(past.q, n),
                          now    = node_dofs(state.q, n);
         NodeVector change       = now - before;
-        if (const int i = node_attachments[n]; i >= 0)
+        if (is_image(n))
+          change.setZero();
+        else if (const int i = node_attachments[n]; i >= 0)
           {
             const Attachment  &held = supports.attachments[i];
             const unsigned int body = held.body;

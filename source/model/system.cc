@@ -3,7 +3,7 @@
 
 #include <fiberloom/model/element_groups.h>
 #include <fiberloom/model/held_nodes.h>
-#include <fiberloom/model/system.h>
+#include <fiberloom/model/scatter.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace fiberloom
 {
@@ -68,6 +67,9 @@ namespace fiberloom
                  MPI_Comm         comm,
                  const Composite *composite)
     : mesh(mesh)
+    , seen(mesh.with_images())
+    , seen_nodes(mesh.images() ? mesh.images()->nodes :
+                                 std::vector<NodeImage>())
     , supports(supports)
     , composite(composite)
     , numbering(mesh,
@@ -115,15 +117,28 @@ namespace fiberloom
 
   namespace
   {
-    /** The blocks a group of nodes couples: the nodes and the bodies that hold
-     * them. */
+    /** The blocks a group of nodes couples: the nodes, or what they are images
+     * of, and the bodies that hold them. */
     void
-    append_bodies(const Motion              &motion,
-                  const Supports            &supports,
-                  const BlockLayout         &layout,
-                  std::vector<unsigned int> &blocks)
+    append_bodies(const Motion                 &motion,
+                  const Supports               &supports,
+                  const BlockLayout            &layout,
+                  const std::vector<NodeImage> &images,
+                  std::vector<unsigned int>    &blocks)
     {
-      const unsigned int n = blocks.size();
+      const unsigned int n         = blocks.size();
+      bool               with_cell = false;
+      if (!images.empty())
+        for (unsigned int &block : blocks)
+          {
+            if (block >= images.size())
+              continue; // a body
+            const NodeImage &image = images[block];
+            with_cell = with_cell || image.periods != std::array<int, 2>();
+            block     = image.node;
+          }
+      if (with_cell)
+        blocks.push_back(layout.body_block(supports.cell->body));
       for (unsigned int a = 0; a < n; ++a)
         if (const int i = motion.attachment(blocks[a]); i >= 0)
           blocks.push_back(layout.body_block(supports.attachments[i].body));
@@ -158,7 +173,9 @@ namespace fiberloom
   System::set_element_pattern()
   {
     const auto add = [this](std::vector<unsigned int> blocks) {
-      append_bodies(movement, supports, numbering, blocks);
+      if (supports.plates)
+        blocks.push_back(numbering.body_block(supports.plates->body));
+      append_bodies(movement, supports, numbering, mesh.originals(), blocks);
       couple(numbering, blocks, element_pattern);
     };
     for (unsigned int e = 0; e < mesh.n_elements(); ++e)
@@ -175,6 +192,9 @@ namespace fiberloom
       }
     for (unsigned int b = 0; b < supports.bodies.size(); ++b)
       couple(numbering, {numbering.body_block(b)}, element_pattern);
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      if (movement.is_image(n)) // unknowns that stay zero
+        couple(numbering, {n}, element_pattern);
     sort_unique(element_pattern);
   }
 
@@ -216,10 +236,10 @@ namespace fiberloom
     for (const ContactElement &contact : contacts)
       {
         blocks.clear();
-        append_nodes(mesh, contact, blocks);
+        append_nodes(seen, contact, blocks);
         std::sort(blocks.begin(), blocks.end());
         blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
-        append_bodies(movement, supports, numbering, blocks);
+        append_bodies(movement, supports, numbering, seen_nodes, blocks);
         couple(numbering, blocks, pattern);
       }
     sort_unique(pattern);
@@ -229,92 +249,30 @@ namespace fiberloom
 
 
   bool
-  System::touches_owned(const unsigned int *nodes, const unsigned int n) const
+  System::touches_owned(const unsigned int           *nodes,
+                        const unsigned int            n,
+                        const std::vector<NodeImage> &images) const
   {
+    const auto owns_body = [this](const unsigned int body) {
+      return numbering.local_block(numbering.body_block(body)) >= 0;
+    };
     for (unsigned int a = 0; a < n; ++a)
       {
-        if (numbering.local_block(nodes[a]) >= 0)
+        unsigned int node = nodes[a];
+        if (node < images.size())
+          {
+            if (images[node].periods != std::array<int, 2>() &&
+                owns_body(supports.cell->body))
+              return true;
+            node = images[node].node;
+          }
+        if (numbering.local_block(node) >= 0)
           return true;
-        const int i = movement.attachment(nodes[a]);
-        if (i >= 0 && numbering.local_block(numbering.body_block(
-                        supports.attachments[i].body)) >= 0)
+        const int i = movement.attachment(node);
+        if (i >= 0 && owns_body(supports.attachments[i].body))
           return true;
       }
     return false;
-  }
-
-
-
-  template <bool with_tangent, class Group>
-  void
-  System::scatter(const State &state, const Group &group)
-  {
-    // Blocks of nine where the group knows that it has no others.
-    constexpr int n_fixed =
-      std::decay_t<decltype(group.force(0))>::RowsAtCompileTime;
-    using Force = Eigen::Matrix<double, n_fixed, 1>;
-    using Block = Eigen::Matrix<double, n_fixed, n_fixed, Eigen::RowMajor>;
-    const unsigned int n_nodes = group.nodes.size();
-
-    const bool held = std::any_of(group.nodes.begin(),
-                                  group.nodes.end(),
-                                  [this](const unsigned int node) {
-                                    return movement.attachment(node) >= 0;
-                                  });
-    if (held)
-      {
-        HeldGroup transformed(group.nodes.data(),
-                              n_nodes,
-                              movement.attachments(),
-                              supports,
-                              numbering);
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          transformed.set_force(a, group.force(a));
-        if constexpr (with_tangent)
-          for (unsigned int a = 0; a < n_nodes; ++a)
-            for (unsigned int b = 0; b < n_nodes; ++b)
-              transformed.set_stiffness(a, b, group.stiffness(a, b));
-        transformed.transform(state.q, state.placements, with_tangent);
-
-        for (unsigned int a = 0; a < transformed.n_blocks(); ++a)
-          {
-            const unsigned int row   = transformed.block(a);
-            const int          local = numbering.local_block(row);
-            if (local < 0)
-              continue;
-            Eigen::Map<Eigen::VectorXd>(residual.data() +
-                                          numbering.local_first_dof(local),
-                                        numbering.size(row)) +=
-              transformed.force(a);
-            if constexpr (with_tangent)
-              for (unsigned int b = 0; b < transformed.n_blocks(); ++b)
-                Eigen::Map<Eigen::Matrix<double,
-                                         Eigen::Dynamic,
-                                         Eigen::Dynamic,
-                                         Eigen::RowMajor>>(
-                  system_matrix.block(row, transformed.block(b)),
-                  numbering.size(row),
-                  numbering.size(transformed.block(b))) +=
-                  transformed.stiffness(a, b);
-          }
-        return;
-      }
-
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      {
-        const unsigned int row   = group.nodes[a];
-        const int          local = numbering.local_block(row);
-        if (local < 0)
-          continue;
-        Eigen::Map<Force>(residual.data() + numbering.local_first_dof(local),
-                          numbering.size(row)) += group.force(a);
-        if constexpr (with_tangent)
-          for (unsigned int b = 0; b < n_nodes; ++b)
-            Eigen::Map<Block>(system_matrix.block(row, group.nodes[b]),
-                              numbering.size(row),
-                              numbering.size(group.nodes[b])) +=
-              group.stiffness(a, b);
-      }
   }
 
 
@@ -338,7 +296,7 @@ namespace fiberloom
       {
         const unsigned int first = mesh.first_node(e);
         group.nodes              = {{first, first + 1, first + 2}};
-        if (!touches_owned(group.nodes.data(), 3))
+        if (!touches_owned(group.nodes.data(), 3, mesh.originals()))
           continue;
         const auto q = mesh.element_dofs(state.q, e);
         if constexpr (with_tangent)
@@ -348,7 +306,7 @@ namespace fiberloom
         else
           mesh.element(e).residual(q, group.residual);
         scale = std::max(scale, group.residual.lpNorm<Eigen::Infinity>());
-        scatter<with_tangent>(state, group);
+        scatter<with_tangent>(state, group, mesh.originals());
       }
     largest_force = scale;
     if (composite != nullptr)
@@ -358,28 +316,32 @@ namespace fiberloom
       }
     largest_force = max(largest_force, numbering.communicator());
 
-    PotentialGroup potential;
+    const DofVector q = mesh.with_images(state.q);
+    PotentialGroup  potential;
     for (ContactElement &contact : contacts)
       {
         if (contact.following != ContactElement::Points::fixed)
           {
-            add_contact<with_tangent>(state, contact, potential);
+            add_contact<with_tangent>(state, q, contact, potential);
             continue;
           }
         ContactGroup      contact_group(contact);
-        const SectionPair x = section_pair(contact, state.q);
-        const bool        mine =
-          touches_owned(contact_group.nodes.data(), contact_group.n_nodes);
-        const bool active =
+        const SectionPair x    = section_pair(contact, q);
+        const bool        mine = touches_owned(contact_group.nodes.data(),
+                                        contact_group.n_nodes,
+                                        seen_nodes);
+        const bool        active =
           evaluate_contact(contact,
                            x,
                            contact_group.residual,
                            with_tangent && mine ? &contact_group.tangent :
                                                   nullptr);
         if (active && mine)
-          scatter<with_tangent>(state, contact_group);
+          scatter<with_tangent>(state, contact_group, seen_nodes);
       }
 
+    if (supports.plates)
+      add_plates<with_tangent>(state);
     add_node_forces<with_tangent>(state, targets);
 
     for (unsigned int b = 0; b < body_reactions.size(); ++b)
@@ -404,24 +366,26 @@ namespace fiberloom
 
   template <bool with_tangent>
   void
-  System::add_contact(const State    &state,
-                      ContactElement &contact,
-                      PotentialGroup &normal)
+  System::add_contact(const State     &state,
+                      const DofVector &q,
+                      ContactElement  &contact,
+                      PotentialGroup  &normal)
   {
     // All ranks need the forces, those that own one of its nodes the rest.
     normal.nodes.clear();
-    append_nodes(mesh, contact, normal.nodes);
-    const bool mine = touches_owned(normal.nodes.data(), normal.nodes.size());
+    append_nodes(seen, contact, normal.nodes);
+    const bool mine =
+      touches_owned(normal.nodes.data(), normal.nodes.size(), seen_nodes);
     const bool active =
       evaluate_normal(contact,
-                      mesh,
-                      state.q,
+                      seen,
+                      q,
                       normal.potential,
                       with_tangent && mine ? curvature : Curvature::none);
     if (active && mine)
       {
         normal.set_nodes();
-        scatter<with_tangent>(state, normal);
+        scatter<with_tangent>(state, normal, seen_nodes);
       }
     contact.friction_force = Vector3::Zero();
     contact.slip           = Vector3::Zero();
@@ -429,11 +393,11 @@ namespace fiberloom
       return;
     ContactGroup friction(contact);
     evaluate_friction(contact,
-                      section_pair(contact, state.q),
+                      section_pair(contact, q),
                       friction.residual,
                       with_tangent && mine ? &friction.tangent : nullptr);
     if (mine)
-      scatter<with_tangent>(state, friction);
+      scatter<with_tangent>(state, friction, seen_nodes);
     if (with_tangent && mine && active && couples_limits)
       couple_limit(state, contact, friction, normal);
   }
@@ -447,16 +411,16 @@ namespace fiberloom
   {
     std::vector<double> balance(residual.size(), 0.);
     residual.swap(balance);
-    PotentialGroup normal;
+    const DofVector q = mesh.with_images(state.q);
+    PotentialGroup  normal;
     for (const unsigned int i : closing)
       {
         ContactElement predicted = contacts[i];
-        if (!evaluate_normal(
-              predicted, mesh, state.q, normal.potential, curvature))
+        if (!evaluate_normal(predicted, seen, q, normal.potential, curvature))
           continue;
         normal.set_nodes();
-        if (touches_owned(normal.nodes.data(), normal.nodes.size()))
-          scatter<true>(state, normal);
+        if (touches_owned(normal.nodes.data(), normal.nodes.size(), seen_nodes))
+          scatter<true>(state, normal, seen_nodes);
       }
     for (unsigned int i = 0; i < rhs.size(); ++i)
       rhs[i] -= residual[i];
@@ -475,8 +439,12 @@ namespace fiberloom
     const unsigned int n = normal.nodes.size();
     const double       coefficient =
       contact.friction_limit / std::max(contact.normal_force_before, 1e-300);
-    HeldGroup rows(
-      normal.nodes.data(), n, movement.attachments(), supports, numbering),
+    HeldGroup rows(normal.nodes.data(),
+                   n,
+                   movement.attachments(),
+                   supports,
+                   numbering,
+                   seen_nodes),
       columns(rows);
     for (unsigned int a = 0; a < n; ++a)
       {
@@ -603,8 +571,8 @@ namespace fiberloom
         const NodeGroup group{{{n}}, targets.node_forces[n]};
         largest_force =
           std::max(largest_force, group.outer_force.lpNorm<Eigen::Infinity>());
-        if (touches_owned(&n, 1))
-          scatter<with_tangent>(state, group);
+        if (touches_owned(&n, 1, mesh.originals()))
+          scatter<with_tangent>(state, group, mesh.originals());
       }
   }
 

@@ -18,21 +18,24 @@ namespace fiberloom
     for (unsigned int e = 0; e < mesh.n_elements(); ++e)
       if (numbering.local_block(mesh.first_node(e)) >= 0)
         energy += mesh.element(e).energy(mesh.element_dofs(state.q, e));
+    const DofVector q = mesh.with_images(state.q);
     for (const ContactElement &contact : contacts)
-      if (numbering.local_block(contact.first_nodes[0]) >= 0)
+      if (numbering.local_block(original(contact.first_nodes[0])) >= 0)
         {
-          const SectionPair x = section_pair(contact, state.q);
+          const SectionPair x = section_pair(contact, q);
           if (contact.following == ContactElement::Points::fixed)
             energy += contact_energy(contact, x);
           else
             {
               ContactElement moved = contact;
-              energy += normal_energy(moved, mesh, state.q) +
-                        friction_energy(contact, x);
+              energy +=
+                normal_energy(moved, seen, q) + friction_energy(contact, x);
             }
         }
     if (composite != nullptr)
       energy += matrix_energy(state);
+    if (supports.plates)
+      energy += plate_energy(state);
     return dealii::Utilities::MPI::sum(energy, numbering.communicator());
   }
 
@@ -60,9 +63,10 @@ namespace fiberloom
   System::stored_energy(const State                       &state,
                         const std::vector<ContactElement> &contacts) const
   {
-    double stored = energy(state, contacts);
+    double          stored = energy(state, contacts);
+    const DofVector q      = mesh.with_images(state.q);
     for (const ContactElement &contact : contacts)
-      stored -= dissipated_energy(contact, section_pair(contact, state.q));
+      stored -= dissipated_energy(contact, section_pair(contact, q));
     return stored;
   }
 

@@ -24,7 +24,7 @@
 #include <cstring>
 #include <sstream>
 
-BOOST_CLASS_VERSION(fiberloom::StageStatistics, 4)
+BOOST_CLASS_VERSION(fiberloom::StageStatistics, 5)
 
 namespace boost
 {
@@ -69,6 +69,8 @@ namespace boost
         ar &s.elastic_energy &s.negative_pivots;
       if (version >= 4)
         ar &s.estimated_error.tolerance;
+      if (version >= 5)
+        ar &s.membrane_stiffness;
     }
 
     template <class Archive>
@@ -205,6 +207,8 @@ namespace fiberloom
               add(mesh.initial()[i], 1e-4 * line.radius);
           }
       }
+    for (unsigned int d = 0; fibers.cell && d < 2; ++d)
+      add(std::log((*fibers.cell)[d]), 1e-6);
     const std::string order = superimposition_order(fibers);
     crc.process_bytes(order.data(), order.size());
 

@@ -232,7 +232,7 @@ namespace fiberloom
     check_placements(state.placements);
     check_placements(state.stage_start_placements);
     check_placements(state.previous.placements);
-    check_contact(state.contact, mesh);
+    check_contact(state.contact, mesh.with_images());
     check_order(state.contact);
     check_progress(state);
     for (const StageStatistics &statistics : checkpoint.stages)

@@ -26,13 +26,16 @@ namespace fiberloom
 
 
   vtkSmartPointer<vtkUnstructuredGrid>
-  contact_field(const FiberMesh                   &mesh,
-                const DofVector                   &q,
+  contact_field(const FiberMesh                   &cell,
+                const DofVector                   &q_of_cell,
                 const std::vector<ContactElement> &contacts,
                 const std::size_t                  begin,
                 const std::size_t                  end)
   {
-    auto              grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    const FiberMesh  &mesh     = cell.with_images();
+    const DofVector   q        = cell.with_images(q_of_cell);
+    const int         n_fibers = cell.lines().size();
+    auto              grid     = vtkSmartPointer<vtkUnstructuredGrid>::New();
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     grid->SetPoints(points);
@@ -60,8 +63,8 @@ namespace fiberloom
         append_vector(friction, contact.friction_force);
         status->InsertNextValue(static_cast<int>(contact.status));
         zone->InsertNextValue(contact.zone);
-        first->InsertNextValue(contact.fibers[0]);
-        second->InsertNextValue(contact.fibers[1]);
+        first->InsertNextValue(contact.fibers[0] % n_fibers);
+        second->InsertNextValue(contact.fibers[1] % n_fibers);
       }
     return grid;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/output/increment_table.h>
 #include <fiberloom/output/summary.h>
 
 #include <deal.II/base/utilities.h>
@@ -100,6 +101,19 @@ namespace fiberloom
         .str();
     }
 
+    /** Three rows of three. */
+    std::string
+    matrix_json(const std::vector<double> &values)
+    {
+      std::string text = "[";
+      for (unsigned int i = 0; i < 9; ++i)
+        text += (i == 0     ? "[" :
+                 i % 3 == 0 ? "], [" :
+                              ", ") +
+                table_cell(values.at(i));
+      return text + "]]";
+    }
+
     std::string
     stage_json(const StageStatistics &stage)
     {
@@ -123,8 +137,8 @@ namespace fiberloom
           .member("tolerance", stage.estimated_error.tolerance)
           .member("total", stage.estimated_error.total)
           .str();
-      return JsonObject(2)
-        .member("name", stage.name)
+      JsonObject object(2);
+      object.member("name", stage.name)
         .member("converged", stage.converged)
         .member("increments", stage.increments)
         .member("rejected_increments", stage.rejected_increments)
@@ -146,8 +160,11 @@ namespace fiberloom
         .member("negative_pivots", stage.negative_pivots)
         .raw("estimated_error", error)
         .member("crossings_out_of_order", stage.crossings_out_of_order)
-        .member("contact_elements", stage.contact_elements)
-        .str();
+        .member("contact_elements", stage.contact_elements);
+      if (!stage.membrane_stiffness.empty())
+        object.raw("membrane_stiffness_N_per_mm",
+                   matrix_json(stage.membrane_stiffness));
+      return object.str();
     }
 
     std::string

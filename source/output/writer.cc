@@ -17,6 +17,7 @@
 #include <vtkObject.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <iomanip>
@@ -525,6 +526,27 @@ namespace fiberloom
 
 
 
+  namespace
+  {
+    /** @p values : 3 x 3 [N/mm], row by row. */
+    std::string
+    stiffness_csv(const std::vector<double> &values)
+    {
+      const std::array<std::string, 3> names = {{"warp", "fill", "shear"}};
+      std::string text = "force_per_width_by_strain[N/mm],warp,fill,shear\n";
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          text += names[i];
+          for (unsigned int j = 0; j < 3; ++j)
+            text += "," + table_cell(values.at(3 * i + j));
+          text += "\n";
+        }
+      return text;
+    }
+  } // namespace
+
+
+
   void
   OutputWriter::write_end_of_stage(const IncrementReport &report,
                                    const std::string     &label)
@@ -537,6 +559,10 @@ namespace fiberloom
       write_file(path("trajectories.csv"),
                  trajectories_csv(fibers, mesh, report.state.q),
                  true);
+      if (!report.statistics.membrane_stiffness.empty())
+        write_file(path("stiffness.csv"),
+                   stiffness_csv(report.statistics.membrane_stiffness),
+                   true);
     });
   }
 } // namespace fiberloom

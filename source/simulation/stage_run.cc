@@ -6,6 +6,9 @@
 
 #include <fiberloom/contact/contact_law.h>
 
+#include <fiberloom/stages/cell.h>
+
+#include <fiberloom/simulation/membrane_stiffness.h>
 #include <fiberloom/simulation/stage_run.h>
 
 #include <boost/format.hpp>
@@ -277,8 +280,9 @@ namespace fiberloom
     state.load     = load;
     ++state.increment;
     state.contact.history =
-      friction_history(equilibrium.contacts(), scene.mesh);
-    state.dissipation += dissipation(equilibrium.contacts(), state.q);
+      friction_history(equilibrium.contacts(), scene.mesh.with_images());
+    state.dissipation +=
+      dissipation(equilibrium.contacts(), scene.mesh.with_images(state.q));
 
     ++statistics.increments;
     statistics.searches += generator.n_searches() - counted_searches;
@@ -306,8 +310,20 @@ namespace fiberloom
   {
     log.write(increment_line(state));
     shown = statistics;
+    if (stage.finds_stiffness())
+      statistics.membrane_stiffness =
+        membrane_stiffness(scene,
+                           supports,
+                           state,
+                           equilibrium.contacts(),
+                           system.reactions(),
+                           system.layout().communicator(),
+                           statistics);
 
     CurveRow curve = stage.curve(state, system.reactions());
+    if (scene.fibers.cell)
+      for (const auto &column : Cell::curve(scene, state, system.reactions()))
+        curve.push_back(column);
     if (stage.shows_neighbors())
       curve.emplace_back("neighbor_force[N]", force_of_neighbors());
     if (stage.shows_balance())
@@ -348,7 +364,7 @@ namespace fiberloom
     double      sum  = 0;
     const auto  tow  = [&](const ContactElement &contact,
                          const unsigned int    side) {
-      return scene.fibers.fibers[contact.fibers[side]].tow;
+      return scene.mesh.with_images().lines()[contact.fibers[side]].tow;
     };
     for (const ContactElement &contact : equilibrium.contacts())
       if (tow(contact, 0) != tow(contact, 1) &&

@@ -18,6 +18,7 @@ namespace fiberloom
      */
     const ContactElement *
     find_same(const std::vector<ContactElement> &contacts,
+              const FiberMesh                   &mesh,
               const ContactElement              &contact)
     {
       const ContactElement *nearest = nullptr;
@@ -32,10 +33,11 @@ namespace fiberloom
                                          });
            other != contacts.end() && other->fibers == contact.fibers;
            ++other)
-        if (other->following == contact.following &&
-            std::abs(other->u[0] - contact.u[0]) < distance)
+        if (const double away =
+              mesh.distance(contact.fibers[0], other->u[0], contact.u[0]);
+            other->following == contact.following && away < distance)
           {
-            distance = std::abs(other->u[0] - contact.u[0]);
+            distance = away;
             nearest  = &*other;
           }
       return nearest;
@@ -89,7 +91,8 @@ namespace fiberloom
     ScopedTimer timer(statistics.seconds.assembly);
     if (problem.rule.points_follow)
       for (ContactElement &contact : contacts)
-        if (const ContactElement *same = find_same(before, contact))
+        if (const ContactElement *same =
+              find_same(before, mesh.with_images(), contact))
           keep_friction(*same, contact);
     system.reinit(contacts);
   }

@@ -142,9 +142,10 @@ namespace fiberloom
       return;
     ScopedTimer timer(statistics.seconds.assembly);
     // Points may have slid onto other elements.
+    const DofVector q = mesh.with_images(state.q);
     for (ContactElement &contact : increment.contacts)
       if (contact.following != ContactElement::Points::fixed)
-        follow_points(contact, mesh, state.q);
+        follow_points(contact, mesh.with_images(), q);
     system.reinit(increment.contacts);
   }
 
@@ -288,9 +289,10 @@ namespace fiberloom
   unsigned int
   Newton::predict_closing(const State &state, const Step &step)
   {
-    ScopedTimer  timer(statistics.seconds.assembly);
-    const State  ahead = moved(state, step.increment, longest(step));
-    const double depth = least_depth * mesh.smallest_radius();
+    ScopedTimer     timer(statistics.seconds.assembly);
+    const State     ahead = moved(state, step.increment, longest(step));
+    const DofVector q     = mesh.with_images(ahead.q);
+    const double    depth = least_depth * mesh.smallest_radius();
     std::vector<unsigned int> closing;
     for (unsigned int i = 0; i < increment.contacts.size(); ++i)
       {
@@ -300,7 +302,7 @@ namespace fiberloom
             contact.gap <= -std::min(depth, contact.regularization))
           continue;
         ContactElement there = contact;
-        normal_energy(there, mesh, ahead.q);
+        normal_energy(there, mesh.with_images(), q);
         if (!there.lost && there.gap < -depth)
           {
             contact.predicted = true;

@@ -42,7 +42,7 @@ namespace fiberloom
   Penetration::Penetration(const FiberMesh         &mesh,
                            const ContactParameters &parameters,
                            const Motion            &motion)
-    : mesh(mesh)
+    : mesh(mesh.with_images())
     , parameters(parameters)
     , motion(motion)
   {}
@@ -128,9 +128,10 @@ namespace fiberloom
   Penetration::is_imposed(const ContactElement &contact) const
   {
     const auto &lines = mesh.lines();
-    if (contact.stiffness <
-        stiffness_of_section * std::min(lines[contact.fibers[0]].young_modulus,
-                                        lines[contact.fibers[1]].young_modulus))
+    if (motion.is_periodic() ||
+        contact.stiffness < stiffness_of_section *
+                              std::min(lines[contact.fibers[0]].young_modulus,
+                                       lines[contact.fibers[1]].young_modulus))
       return false;
     std::array<int, 2> bodies{{-1, -1}};
     for (unsigned int s = 0; s < 2; ++s)

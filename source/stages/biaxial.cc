@@ -4,6 +4,7 @@
 #include <fiberloom/base/parameters.h>
 
 #include <fiberloom/stages/biaxial.h>
+#include <fiberloom/stages/cell.h>
 
 namespace fiberloom
 {
@@ -12,8 +13,11 @@ namespace fiberloom
   {
     const BiaxialParameters &biaxial = scene.parameters.biaxial;
     warp_strain = fill_strain = biaxial.largest_strain;
+    const bool follows        = biaxial.other_direction == "free";
     (biaxial.leading_direction == "fill" ? warp_strain : fill_strain) *=
-      biaxial.strain_ratio;
+      follows ? 0 : biaxial.strain_ratio;
+    if (follows)
+      free.set(biaxial.leading_direction == "fill" ? 0 : 1);
   }
 
 
@@ -21,7 +25,8 @@ namespace fiberloom
   Supports
   Biaxial::supports(const DofVector &) const
   {
-    return TowEnds::supports(scene, false);
+    return scene.fibers.cell ? Cell::supports(scene, free) :
+                               TowEnds::supports(scene, false);
   }
 
 
@@ -49,8 +54,15 @@ namespace fiberloom
       draw(past.q.segment<3>(9 * n));
     for (Eigen::Index i = 9 * scene.mesh.n_nodes(); i < past.q.size(); i += 3)
       draw(past.q.segment<3>(i));
-    for (Placement &placement : past.placements)
-      draw(Eigen::Map<Vector3>(placement.position.data()));
+    if (scene.fibers.cell)
+      past.placements[Cell::body] = Cell::strained(
+        scene,
+        state.placements[Cell::body],
+        -load_step * warp_strain / (1 + state.load * warp_strain),
+        -load_step * fill_strain / (1 + state.load * fill_strain));
+    else
+      for (Placement &placement : past.placements)
+        draw(Eigen::Map<Vector3>(placement.position.data()));
     return past;
   }
 
@@ -60,6 +72,14 @@ namespace fiberloom
   Biaxial::targets(const std::vector<Placement> &start, const double load) const
   {
     std::vector<BodyTarget> targets(start.size());
+    if (scene.fibers.cell)
+      {
+        targets[Cell::body].placement = Cell::strained(scene,
+                                                       start[Cell::body],
+                                                       load * warp_strain,
+                                                       load * fill_strain);
+        return targets;
+      }
     for (unsigned int b = 0; b < start.size(); ++b)
       {
         targets[b].placement = start[b];
@@ -101,9 +121,16 @@ namespace fiberloom
   Biaxial::curve(const State                   &state,
                  const std::vector<BodyVector> &reactions) const
   {
+    double strains[2] = {state.load * warp_strain, state.load * fill_strain};
+    for (unsigned int d = 0; d < 2; ++d)
+      if (free[d])
+        strains[d] =
+          Cell::periods(scene, state.placements[Cell::body])[d] /
+            Cell::periods(scene, state.stage_start_placements[Cell::body])[d] -
+          1;
     return {
-      {"strain_warp", state.load * warp_strain},
-      {"strain_fill", state.load * fill_strain},
+      {"strain_warp", strains[0]},
+      {"strain_fill", strains[1]},
       {"force_warp[N]", TowEnds::pull(scene, Tow::Family::warp, reactions)},
       {"force_fill[N]", TowEnds::pull(scene, Tow::Family::fill, reactions)}};
   }

@@ -6,9 +6,11 @@
 #include <fiberloom/stages/bend.h>
 #include <fiberloom/stages/biaxial.h>
 #include <fiberloom/stages/coat.h>
+#include <fiberloom/stages/compact.h>
 #include <fiberloom/stages/load.h>
 #include <fiberloom/stages/relax.h>
 #include <fiberloom/stages/shear.h>
+#include <fiberloom/stages/stiffness.h>
 #include <fiberloom/stages/weave.h>
 
 namespace fiberloom
@@ -28,11 +30,15 @@ namespace fiberloom
       return std::make_unique<Bend>(scene);
     if (name == "biaxial")
       return std::make_unique<Biaxial>(scene);
+    if (name == "compact")
+      return std::make_unique<Compact>(scene);
+    if (name == "stiffness")
+      return std::make_unique<Stiffness>(scene);
     if (name == "load")
       return std::make_unique<Load>(scene);
     throw InputError(
       "Stages: \"" + name +
       "\" is unknown; there are weave, relax, coat, biaxial, shear, "
-      "bend, load");
+      "bend, compact, stiffness, load");
   }
 } // namespace fiberloom

@@ -3,6 +3,7 @@
 
 #include <fiberloom/coupling/hold.h>
 
+#include <fiberloom/stages/cell.h>
 #include <fiberloom/stages/matrix_borders.h>
 #include <fiberloom/stages/tow_ends.h>
 
@@ -61,6 +62,8 @@ namespace fiberloom
              const bool                axially_free,
              const MatrixBorders::Grip grip)
     {
+      if (scene.fibers.cell)
+        return Cell::supports(scene, axially_free ? 3 : 0);
       const auto &tows = scene.fibers.tows;
       Supports    supports;
       for (const Tow &tow : tows)
@@ -108,6 +111,8 @@ namespace fiberloom
     void
     place(const Scene &scene, const MatrixBorders::Grip grip, State &state)
     {
+      if (scene.fibers.cell)
+        return Cell::place(state);
       const auto &tows = scene.fibers.tows;
       const bool  after_load =
         !state.stages_done.empty() && state.stages_done.back() == "load";
@@ -134,6 +139,8 @@ namespace fiberloom
          const Tow::Family              family,
          const std::vector<BodyVector> &reactions)
     {
+      if (scene.fibers.cell)
+        return Cell::pull(family, reactions);
       double pull = 0;
       for (unsigned int t = 0; t < scene.fibers.tows.size(); ++t)
         if (scene.fibers.tows[t].family == family)

@@ -48,7 +48,10 @@ namespace fiberloom
 
   struct FabricParameters
   {
-    std::string   pattern = "plain";
+    std::string         pattern  = "plain";
+    bool                periodic = false;  // a cell without tow ends
+    std::vector<double> cell_cut = {0, 0}; // along warp and fill, over the
+                                           // spacing of the tows that cross
     TowParameters warp;
     TowParameters fill;
   };
@@ -145,8 +148,20 @@ namespace fiberloom
     double      largest_strain = 0.02;
     double      strain_ratio = 1; // of the other direction over the leading one
     std::string leading_direction = "fill";
-    double      first_step        = 0.1; // of the largest strain
-    double      largest_step      = 0.2; // of the largest strain
+    std::string other_direction   = "strained"; // | free, of a cell
+    double      first_step        = 0.1;        // of the largest strain
+    double      largest_step      = 0.2;        // of the largest strain
+  };
+
+  /** Stage "compact": a cell between two rigid plates. */
+  struct CompactParameters
+  {
+    double thickness       = 0; // between the plates [mm]; one of these three
+    double volume_fraction = 0; // of fibers between the plates
+    double pressure        = 0; // on the plates [MPa]
+    bool   return_way      = false; // and back to where it began
+    double first_step      = .02;
+    double largest_step    = .05;
   };
 
   /**
@@ -267,6 +282,7 @@ namespace fiberloom
     BiaxialParameters            biaxial;
     ShearParameters              shear;
     BendParameters               bend;
+    CompactParameters            compact;
     LoadParameters               load;
     SolverParameters             solver;
     OutputParameters             output;

@@ -61,6 +61,8 @@ namespace fiberloom
 
     ErrorEstimate estimated_error;
 
+    std::vector<double> membrane_stiffness; // 3 x 3 [N/mm], if asked for
+
     // What a scene can do without.
     unsigned int unsymmetric_systems = 0; // among those solved
     unsigned int searches            = 0; // trees over all fibers

@@ -6,7 +6,7 @@
 
 #include <fiberloom/base/vector_types.h>
 
-#include <fiberloom/fabric/fiber_set.h>
+#include <fiberloom/fabric/fiber_images.h>
 
 #include <fiberloom/beams/beam_element.h>
 #include <fiberloom/beams/shape_functions.h>
@@ -14,6 +14,7 @@
 #include <Eigen/Geometry>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace fiberloom
@@ -44,6 +45,10 @@ namespace fiberloom
    * All fibers as chains of quadratic elements. Nodes are numbered fiber by
    * fiber, so are elements; node n has the dofs 9n .. 9n+8: x0, r g1, r g2.
    * The parameter u of a fiber runs from 0 to its number of elements.
+   *
+   * Contact sees the fibers of a periodic cell with their images, which are a
+   * mesh of their own, see FiberImages, whose nodes are those of the cell moved
+   * by whole periods. Without a cell it sees this mesh.
    */
   class FiberMesh
   {
@@ -57,6 +62,7 @@ namespace fiberloom
       double       radius;        // [mm]
       double       young_modulus; // [MPa]
       double       length;        // reference [mm]
+      unsigned int period = 0;    // elements until it repeats itself, 0: never
 
       unsigned int
       n_nodes() const
@@ -137,6 +143,29 @@ namespace fiberloom
     double
     largest_section_change(const DofVector &q) const;
 
+    /** Null where there is no cell. */
+    const FiberImages *
+    images() const;
+
+    /** The mesh that contact sees. */
+    const FiberMesh &
+    with_images() const;
+
+    /** Its dofs where those of this mesh are @p q . */
+    DofVector
+    with_images(const DofVector &q) const;
+
+    /** What each node of this mesh is the image of; empty without a cell. */
+    const std::vector<NodeImage> &
+    originals() const
+    {
+      return original_nodes;
+    }
+
+    /** Of two places of a fiber, in elements; images are the same place. */
+    double
+    distance(const unsigned int fiber, const double u, const double v) const;
+
     /** Clamps @p u to the fiber. */
     ElementPoint
     locate(const unsigned int fiber, const double u) const;
@@ -173,6 +202,11 @@ namespace fiberloom
     }
 
   private:
+    struct Seen;
+
+    void
+    add_images(const FiberSet &fibers);
+
     std::vector<Line>         fiber_lines;
     std::vector<unsigned int> element_fibers;
     std::vector<BeamElement>  beam_elements;
@@ -180,6 +214,9 @@ namespace fiberloom
     DofVector                 initial_dofs;
     std::array<double, 2>     radii; // smallest, largest
     double                    stiffness_scale;
+
+    std::shared_ptr<const Seen> seen; // null without a cell
+    std::vector<NodeImage>      original_nodes;
   };
 } // namespace fiberloom
 

@@ -47,6 +47,12 @@ namespace fiberloom
    * true normal does not. Both are one line penalty.
    * Tangents are r g1 x r g2, which is continuous over element ends.
    *
+   * Fibers of a periodic cell are seen with their images, see FiberImages:
+   * fibers and nodes of contacts are numbered as those of
+   * FiberMesh::with_images(), positions @p q are those of the cell. Zones that
+   * differ by whole periods are one, the one whose middle lies on the part of
+   * the first fiber that is in the cell.
+   *
    * Ranks share the pairs of fibers, then exchange what they found: all have
    * all contacts, as states are on all ranks.
    */
@@ -112,6 +118,19 @@ namespace fiberloom
     crossings_out_of_order(const DofVector &q) const;
 
   private:
+    /** As update(), at placements of all that is seen. */
+    void
+    update_seen(std::vector<ContactElement> &contacts,
+                const DofVector             &q,
+                const DofVector             &q_before,
+                const ContactRule           &rule,
+                const ContactState          &state) const;
+
+    /** The part of the first fiber on which a zone has its stations; empty
+     * where another zone stands for it. */
+    std::array<double, 2>
+    counted_part(const ProximityZone &zone) const;
+
     ContactElement
     new_element(const unsigned int   zone,
                 const ParameterPair &u,
@@ -186,6 +205,7 @@ namespace fiberloom
 
     void
     add_parallel_stations(const ProximityZone         &proximity,
+                          const std::array<double, 2> &counted,
                           const unsigned int           zone,
                           const DofVector             &q,
                           ContactState                &state,
@@ -203,8 +223,9 @@ namespace fiberloom
          const DofVector      &q,
          const ContactState   &state) const;
 
-    const FiberSet          &fibers;
-    const FiberMesh         &mesh;
+    const FiberMesh         &cell;   // where positions are given
+    const FiberSet          &fibers; // with images
+    const FiberMesh         &mesh;   // the same
     const ContactParameters &parameters;
     const MPI_Comm           comm;
     ProximitySearch          search;

@@ -30,11 +30,13 @@ namespace fiberloom
   class ProximitySearch
   {
   public:
-    /** @p margin and @p skin in mm. */
-    ProximitySearch(const FiberMesh &mesh,
-                    const double     margin,
-                    const double     skin,
-                    const bool       self_contact);
+    /** @p margin and @p skin in mm; @p images says which pairs count where @p
+     * mesh are the images of a cell's fibers. */
+    ProximitySearch(const FiberMesh   &mesh,
+                    const double       margin,
+                    const double       skin,
+                    const bool         self_contact,
+                    const FiberImages *images = nullptr);
 
     /** False where no two pieces could ever be a pair: then nothing is
      * searched. */
@@ -73,6 +75,13 @@ namespace fiberloom
     bool
     may_find(const DofVector &q) const;
 
+    /** Whether two pieces are a pair. */
+    bool
+    are_pair(const unsigned int first_fiber,
+             const unsigned int first_piece,
+             const unsigned int second_fiber,
+             const unsigned int second_piece) const;
+
     /** Whether two pieces of one fiber are far enough apart along it. */
     bool
     counts(const FiberMesh::Line &line,
@@ -86,6 +95,7 @@ namespace fiberloom
     const double               margin;
     const double               skin;
     const bool                 self_contact;
+    const FiberImages         *images; // or null
     unsigned int               searches = 0;
     DofVector                  searched_at;
     std::vector<CandidatePair> found;

@@ -10,6 +10,8 @@
 
 #include <array>
 #include <bitset>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,6 +62,9 @@ namespace fiberloom
    * section can spin: in place of r g1 and r g2 stand the same vectors turned
    * in the section until the first of them lies along @p radial , their
    * components being along it, across it in the section, and along the axis.
+   *
+   * If @p carried is set, the body is that of a PeriodicCell, and what it does
+   * to the node is to move its centre by this matrix times the elongations.
    */
   struct Attachment
   {
@@ -69,6 +74,8 @@ namespace fiberloom
     Matrix3        frame        = Matrix3::Identity(); // in the body's axes
     Matrix3        center_frame = Matrix3::Identity(); // the same
     Vector3        radial       = Vector3::Zero();     // the same, or 0: none
+
+    std::optional<Matrix3> carried = {};
   };
 
   /**
@@ -102,12 +109,59 @@ namespace fiberloom
     {}
   };
 
+  /**
+   * The mean deformation of a periodic cell. One of the bodies stands for it:
+   * its position are the elongations (a, b, c) [mm] of the periods P_x, P_y,
+   *   F P_x = (P_x + a, c P_x / 2 L, 0),  F P_y = (c P_y / 2 L, P_y + b, 0)
+   * with L^2 = P_x P_y, so that c / L is the shear strain and F symmetric: the
+   * cell does not turn. Forces on it are mean stresses times a width of the
+   * cell; it does not rotate.
+   */
+  struct PeriodicCell
+  {
+    unsigned int          body;
+    std::array<double, 2> size; // stress-free periods [mm]
+
+    /** Sum of so many periods along x and y where they are stress-free. */
+    Vector3
+    shift(const double x, const double y) const
+    {
+      return {x * size[0], y * size[1], 0};
+    }
+
+    /** By what the elongations are to be multiplied to get what they add. */
+    Matrix3
+    slope(const double x, const double y) const
+    {
+      const double ratio = .5 * std::sqrt(size[0] / size[1]);
+      Matrix3      slope;
+      slope << x, 0, .25 * y / ratio, 0, y, x * ratio, 0, 0, 0;
+      return slope;
+    }
+  };
+
+  /**
+   * Two rigid horizontal plates that fibers touch. One of the bodies stands for
+   * them, (distance, 0, height of the middle) [mm] being its position; the
+   * force on the distance is less the mean of what presses on both.
+   */
+  struct Plates
+  {
+    unsigned int body;
+    double       stiffness;      // per length of fiber, over its modulus
+    double       regularization; // of the penalty, over the fiber's radius
+    double       spring;         // of the middle, for want of contact, over E r
+    unsigned int stations_per_element;
+  };
+
   /** The rigid bodies of a stage and the nodes they hold, at most one body a
    * node. */
   struct Supports
   {
-    std::vector<RigidBody>  bodies;
-    std::vector<Attachment> attachments;
+    std::vector<RigidBody>      bodies;
+    std::vector<Attachment>     attachments;
+    std::optional<PeriodicCell> cell   = {}; // where the fibers are one
+    std::optional<Plates>       plates = {};
   };
 } // namespace fiberloom
 

@@ -8,6 +8,7 @@
 
 #include <fiberloom/fabric/weave_pattern.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -89,6 +90,10 @@ namespace fiberloom
     std::vector<Tow>            tows;   // warp tows, then fill tows
     std::optional<WeavePattern> pattern;
     std::vector<std::string>    notes = {}; // for the user, of what was read
+
+    // Periods along x and y [mm] of a cell of a fabric without tow ends: the
+    // last node of each fiber is the image of its first one.
+    std::optional<std::array<double, 2>> cell = {};
   };
 
   /**
@@ -96,7 +101,8 @@ namespace fiberloom
    * that crossing tows interpenetrate (figure 8 of the paper). Warp along x,
    * fill along y, sample centred at the origin; the first section vector of
    * every fiber is horizontal and across the fiber, the second vertical.
-   * Throws InputError for tows that overlap their neighbours.
+   * Throws InputError for tows that overlap their neighbours, and for a cell of
+   * no whole periods.
    */
   FiberSet
   build_fabric(const Parameters &parameters);

@@ -4,6 +4,8 @@
 #ifndef fiberloom_model_held_nodes_h
 #define fiberloom_model_held_nodes_h
 
+#include <fiberloom/fabric/fiber_images.h>
+
 #include <fiberloom/coupling/rigid_body.h>
 
 #include <fiberloom/model/block_layout.h>
@@ -45,16 +47,20 @@ namespace fiberloom
    * of which are held by rigid bodies, transformed to the unknowns of System:
    * dq = F dq_local + dc + dtheta x (q - c), with the second derivative of the
    * rotation in the tangent, since the map from the unknowns to the dofs is not
-   * linear.
+   * linear. Images in a periodic cell go with their originals and with the
+   * elongations of the cell, which is linear.
    */
   class HeldGroup
   {
   public:
-    HeldGroup(const unsigned int     *nodes,
-              const unsigned int      n_nodes,
-              const std::vector<int> &attachment_of_node,
-              const Supports         &supports,
-              const BlockLayout      &layout);
+    /** @p images : what each node is the image of; empty where @p nodes are
+     * originals. */
+    HeldGroup(const unsigned int           *nodes,
+              const unsigned int            n_nodes,
+              const std::vector<int>       &attachment_of_node,
+              const Supports               &supports,
+              const BlockLayout            &layout,
+              const std::vector<NodeImage> &images = {});
 
     template <class Vector>
     void
@@ -114,6 +120,10 @@ namespace fiberloom
       return offsets[a + 1] - offsets[a];
     }
 
+    /** Of a body among the blocks, where it is added if it is not there. */
+    unsigned int
+    position_of_body(const unsigned int block);
+
     /** Of the held node @p a with so many dofs. */
     template <int n_dofs>
     void
@@ -123,15 +133,29 @@ namespace fiberloom
                    const bool                    with_tangent,
                    Eigen::MatrixXd              &geometric);
 
-    const unsigned int              n_nodes;
-    const Supports                 &supports;
-    const BlockLayout              &layout;
-    std::vector<unsigned int>       blocks;        // nodes, then bodies
-    std::vector<unsigned int>       offsets;       // of their dofs
-    std::vector<const Attachment *> held;          // by node, null if free
-    std::vector<unsigned int>       body_position; // of a held node, in blocks
-    Eigen::VectorXd                 forces;
-    Eigen::MatrixXd                 matrix;
+    /** Of the node @p a that goes with the cell. */
+    void
+    transform_carried(const unsigned int a, const bool with_tangent);
+
+    /** Of a node with these changes of its dofs by its unknowns, which replace
+     * them, and by those of its body. */
+    template <int n_dofs>
+    void
+    apply(const unsigned int                           a,
+          const Eigen::Matrix<double, n_dofs, n_dofs> &basis,
+          const Eigen::Matrix<double, n_dofs, 6>      &motion,
+          const bool                                   with_tangent);
+
+    const unsigned int                  n_nodes;
+    const Supports                     &supports;
+    const BlockLayout                  &layout;
+    std::vector<unsigned int>           blocks;  // nodes, then bodies
+    std::vector<unsigned int>           offsets; // of their dofs
+    std::vector<const Attachment *>     held;    // by node, null if free
+    std::vector<std::optional<Matrix3>> carried; // by node, with the cell
+    std::vector<unsigned int> body_position;     // of a held node, in blocks
+    Eigen::VectorXd           forces;
+    Eigen::MatrixXd           matrix;
   };
 } // namespace fiberloom
 

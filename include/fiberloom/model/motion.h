@@ -35,10 +35,11 @@ namespace fiberloom
       return node_attachments;
     }
 
+    /** -1 for a body's block, too. */
     int
     attachment(const unsigned int node) const
     {
-      return node_attachments[node];
+      return node < node_attachments.size() ? node_attachments[node] : -1;
     }
 
     /** Index of the body that holds @p node ; -1: none. */
@@ -70,8 +71,24 @@ namespace fiberloom
     bool
     moves(const State &state, const Targets &targets) const;
 
+    /** Whether the unknowns of @p node are those of its original, one period
+     * away. */
+    bool
+    is_image(const unsigned int node) const
+    {
+      return supports.cell && mesh.originals()[node].node != node;
+    }
+
+    /** Whether there is a cell, and no body holds a place in it. */
+    bool
+    is_periodic() const
+    {
+      return supports.cell.has_value();
+    }
+
     /** Largest change of a node's x0, r g1 or r g2 over its radius by @p
-     * increment . */
+     * increment , of a cell's elongations and of plates, too, if it has them.
+     */
     double
     largest_move(const Eigen::VectorXd &increment) const;
 
@@ -96,6 +113,11 @@ namespace fiberloom
                 const double   load_step) const;
 
   private:
+    /** Puts the images of @p state to where their originals and the elongations
+     * of the cell have them. */
+    void
+    place_images(State &state) const;
+
     /** The dofs of a node, zeros behind the three of one of the matrix. */
     NodeVector
     node_dofs(const Eigen::VectorXd &dofs, const unsigned int node) const;

@@ -203,9 +203,10 @@ namespace fiberloom
     /** Of one whose points follow the fibers. */
     template <bool with_tangent>
     void
-    add_contact(const State    &state,
-                ContactElement &contact,
-                PotentialGroup &normal);
+    add_contact(const State     &state,
+                const DofVector &q, // of all that is seen
+                ContactElement  &contact,
+                PotentialGroup  &normal);
 
     void
     couple_limit(const State          &state,
@@ -228,15 +229,42 @@ namespace fiberloom
     double
     matrix_energy(const State &state) const;
 
+    template <bool with_tangent>
+    void
+    add_plates(const State &state);
+
+    /** This rank's part. */
+    double
+    plate_energy(const State &state) const;
+
+    /** Calls @p visit with contact, heights and group of each section and each
+     * plate. */
+    template <class Visitor>
+    void
+    visit_plate_stations(const State &state, const Visitor &visit) const;
+
     void
     set_element_pattern();
 
+    /** @p images : what the nodes of @p group are images of; empty where they
+     * are nodes of the system. So for touches_owned(). */
     template <bool with_tangent, class Group>
     void
-    scatter(const State &state, const Group &group);
+    scatter(const State                  &state,
+            const Group                  &group,
+            const std::vector<NodeImage> &images = {});
+
+    /** Of a node that contact sees. */
+    unsigned int
+    original(const unsigned int node) const
+    {
+      return seen_nodes.empty() ? node : seen_nodes[node].node;
+    }
 
     bool
-    touches_owned(const unsigned int *nodes, const unsigned int n) const;
+    touches_owned(const unsigned int           *nodes,
+                  const unsigned int            n,
+                  const std::vector<NodeImage> &images = {}) const;
 
     /** Largest unbalanced force of each owned block [N]. */
     std::vector<double>
@@ -253,12 +281,14 @@ namespace fiberloom
     void
     add_body_loads(const Targets &targets);
 
-    const FiberMesh &mesh;
-    const Supports  &supports;
-    const Composite *composite; // or null
-    BlockLayout      numbering;
-    Motion           movement;
-    BlockMatrix      system_matrix;
+    const FiberMesh             &mesh;
+    const FiberMesh             &seen; // by contact
+    const std::vector<NodeImage> seen_nodes;
+    const Supports              &supports;
+    const Composite             *composite; // or null
+    BlockLayout                  numbering;
+    Motion                       movement;
+    BlockMatrix                  system_matrix;
 
     double                                 stiffness;
     Curvature                              curvature      = Curvature::exact;

@@ -6,6 +6,8 @@
 
 #include <fiberloom/stages/tow_ends.h>
 
+#include <bitset>
+
 namespace fiberloom
 {
   /**
@@ -44,7 +46,8 @@ namespace fiberloom
           const std::vector<BodyVector> &reactions) const override;
 
   private:
-    double warp_strain, fill_strain; // at full load
+    double         warp_strain, fill_strain; // at full load
+    std::bitset<3> free;                     // of a cell's elongations
   };
 } // namespace fiberloom
 

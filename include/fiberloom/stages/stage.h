@@ -164,6 +164,13 @@ namespace fiberloom
       return false;
     }
 
+    /** Whether the stage ends with the stiffness of the cell. */
+    virtual bool
+    finds_stiffness() const
+    {
+      return false;
+    }
+
     /** What the user should know about how the input was understood. */
     virtual std::vector<std::string>
     notes() const

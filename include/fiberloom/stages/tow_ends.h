@@ -13,7 +13,8 @@ namespace fiberloom
    * the tows, start before end, then the ground, then those on the borders of
    * a matrix if there is one. A tow end holds the
    * centres of its fibers and the direction of their first section vector, so
-   * that they cannot spin but may slope up and down.
+   * that they cannot spin but may slope up and down. A periodic cell has no
+   * ends: what is asked of them is asked of its periods, see Cell.
    */
   namespace TowEnds
   {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_stages_cell_h
+#define fiberloom_stages_cell_h
+
+#include <fiberloom/stages/stage.h>
+
+#include <bitset>
+
+namespace fiberloom
+{
+  /**
+   * The supports of a periodic cell. Its mean deformation is the first body,
+   * see PeriodicCell. What costs no energy is taken away from each fiber by one
+   * of its nodes, at the first tow that crosses it: to slide along itself and
+   * to spin.
+   */
+  namespace Cell
+  {
+    constexpr unsigned int body = 0;
+
+    /** @p free : elongations along warp and fill and the shear whose mean
+     * stress is given. @p holds_height : whether one node stays where it is. */
+    Supports
+    supports(const Scene         &scene,
+             const std::bitset<3> free,
+             const bool           holds_height = true);
+
+    /** Undeformed where @p state has no cell yet. */
+    void
+    place(State &state);
+
+    /** Periods along warp and fill [mm] of a cell that is placed so. */
+    std::array<double, 2>
+    periods(const Scene &scene, const Placement &placement);
+
+    /** That of a cell which is strained by so much from @p start on. */
+    Placement
+    strained(const Scene     &scene,
+             const Placement &start,
+             const double     warp_strain,
+             const double     fill_strain);
+
+    /** Mean stress times the cell's width where the stage began [N]. */
+    double
+    pull(const Tow::Family family, const std::vector<BodyVector> &reactions);
+
+    /** Columns that all curves of a cell have: forces per width, periods and
+     * shear strain. */
+    CurveRow
+    curve(const Scene                   &scene,
+          const State                   &state,
+          const std::vector<BodyVector> &reactions);
+  } // namespace Cell
+} // namespace fiberloom
+
+#endif

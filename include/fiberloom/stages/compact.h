@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_stages_compact_h
+#define fiberloom_stages_compact_h
+
+#include <fiberloom/stages/stage.h>
+
+namespace fiberloom
+{
+  /**
+   * A periodic cell between two rigid plates without friction, which come
+   * together until they are at a distance or are pressed by a pressure, and go
+   * back if wanted. The periods stay.
+   */
+  class Compact : public Stage
+  {
+  public:
+    explicit Compact(const Scene &scene);
+
+    Supports
+    supports(const DofVector &start) const override;
+
+    /** Throws StageFailure where the fabric is thinner already. */
+    void
+    begin(State &state) const override;
+
+    Past
+    guess(const State &state, const double load_step) const override;
+
+    std::vector<BodyTarget>
+    targets(const std::vector<Placement> &start,
+            const double                  load) const override;
+
+    ContactRule
+    rule(const double load) const override;
+
+    double
+    first_step(const State &state) const override;
+
+    double
+    largest_step() const override;
+
+    double
+    next_stop(const double load) const override;
+
+    CurveRow
+    curve(const State                   &state,
+          const std::vector<BodyVector> &reactions) const override;
+
+  private:
+    /** Part of the way that the plates have gone at @p load . */
+    double
+    way(const double load) const;
+
+    /** Of the cell [mm^2]. */
+    double
+    area(const std::vector<Placement> &placements) const;
+
+    /** Of the plates at the end [mm]; 0 where a pressure is asked for. */
+    double
+    last_distance(const std::vector<Placement> &start) const;
+
+    const CompactParameters &parameters;
+    double                   fiber_volume; // [mm^3]
+  };
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/stages/cell.h>
+
+#include <fiberloom/simulation/membrane_stiffness.h>
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace fiberloom
+{
+  namespace
+  {
+    // Of the linear systems.
+    constexpr double tolerance = 1e-10;
+
+    // Over E r, tried where the tangent is singular.
+    constexpr double least_shift = 1e-9;
+
+    /** Elongations of the cell by unit loads on them [mm/N]. */
+    Matrix3
+    compliance(System          &system,
+               LinearSolver    &solver,
+               const State     &state,
+               StageStatistics &statistics)
+    {
+      const BlockLayout &layout = system.layout();
+      const unsigned int block  = layout.body_block(Cell::body);
+      const int          local  = layout.local_block(block);
+      Matrix3            compliance;
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          std::vector<double> load(system.right_hand_side().size(), 0.), answer;
+          if (local >= 0)
+            load[layout.local_first_dof(local) + k] = 1;
+          add(statistics,
+              solver.solve(system.matrix(),
+                           state.q,
+                           load,
+                           std::vector<double>(layout.n_blocks(), 0.),
+                           least_shift * system.stiffness_scale(),
+                           answer,
+                           LinearSolver::Indefinite::accepted,
+                           tolerance));
+          compliance.col(k) =
+            system.gather(answer).segment<3>(layout.first_dof(block));
+        }
+      return compliance;
+    }
+  } // namespace
+
+
+
+  std::vector<double>
+  membrane_stiffness(const Scene                       &scene,
+                     const Supports                    &supports,
+                     const State                       &state,
+                     const std::vector<ContactElement> &contacts,
+                     const std::vector<BodyVector>     &reactions,
+                     const MPI_Comm                     comm,
+                     StageStatistics                   &statistics)
+  {
+    Supports free = supports;
+    for (unsigned int k = 0; k < 3; ++k)
+      free.bodies[Cell::body].prescribed.reset(k);
+    Targets targets;
+    for (const Placement &placement : state.placements)
+      targets.bodies.push_back({placement});
+    targets.bodies[Cell::body].load.head<3>() = reactions[Cell::body].head<3>();
+
+    System       system(scene.mesh, free, comm);
+    LinearSolver solver(system, scene.parameters.solver.linear_solver);
+    auto         found = contacts;
+    system.reinit(found);
+    system.set_curvature(Curvature::exact);
+    system.assemble(state, targets, found);
+    const Matrix3 stiffness =
+      compliance(system, solver, state, statistics).inverse(); // [N/mm]
+    if (!stiffness.allFinite())
+      throw StageFailure("stage stiffness: the tangent is singular");
+
+    // Elongations by strains; the same gives forces times the other width.
+    const auto   periods   = Cell::periods(scene, state.placements[Cell::body]);
+    const auto  &size      = *scene.fibers.cell;
+    const double length[3] = {periods[0],
+                              periods[1],
+                              std::sqrt(size[0] * size[1])};
+    std::vector<double> result;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        result.push_back(length[i] * stiffness(i, j) * length[j] /
+                         (periods[0] * periods[1]));
+    return result;
+  }
+} // namespace fiberloom

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/coupling/hold.h>
+
+#include <fiberloom/stages/cell.h>
+
+#include <cmath>
+
+namespace fiberloom
+{
+  namespace Cell
+  {
+    namespace
+    {
+      PeriodicCell
+      cell_of(const Scene &scene)
+      {
+        return {body, *scene.fibers.cell};
+      }
+
+      /** Of a fiber, the node nearest to the first tow that crosses it: the
+       * same particle wherever the cell is cut. */
+      unsigned int
+      anchor(const Scene &scene, const unsigned int fiber)
+      {
+        const Tow &tow = scene.fibers.tows[scene.fibers.fibers[fiber].tow];
+        const FiberMesh::Line &line   = scene.mesh.lines()[fiber];
+        const unsigned int     along  = direction(tow);
+        const double           period = (*scene.fibers.cell)[along];
+        double                 place  = 0;
+        for (const Tow &other : scene.fibers.tows)
+          if (other.family != tow.family && other.number == 0)
+            place = other.center;
+        unsigned int nearest = line.first_node;
+        double       least   = 1e300;
+        for (unsigned int n = line.first_node;
+             n + 1 < line.first_node + line.n_nodes();
+             ++n)
+          if (const double away = std::abs(std::remainder(
+                scene.mesh.initial()[9 * n + along] - place, period));
+              away < least - 1e-9 * period)
+            {
+              least   = away;
+              nearest = n;
+            }
+        return nearest;
+      }
+    } // namespace
+
+
+
+    Supports
+    supports(const Scene         &scene,
+             const std::bitset<3> free,
+             const bool           holds_height)
+    {
+      Supports supports;
+      supports.cell = cell_of(scene);
+      RigidBody cell;
+      cell.name = "cell";
+      for (unsigned int k = 0; k < 3; ++k)
+        cell.prescribed[k] = !free[k];
+      supports.bodies.push_back(cell);
+
+      for (unsigned int f = 0; f < scene.fibers.fibers.size(); ++f)
+        {
+          const unsigned int node = anchor(scene, f);
+          Attachment         attachment =
+            attach(scene.mesh.initial(), node, body, Hold::axial);
+          attachment.held.set(4); // nor can it spin
+          if (f == 0 && holds_height)
+            attachment.held.set(1);
+          const Vector3 x = scene.mesh.initial().segment<3>(9 * node);
+          attachment.carried =
+            supports.cell->slope(x[0] / supports.cell->size[0],
+                                 x[1] / supports.cell->size[1]);
+          supports.attachments.push_back(attachment);
+        }
+      return supports;
+    }
+
+
+
+    void
+    place(State &state)
+    {
+      state.placements.resize(body + 1);
+    }
+
+
+
+    std::array<double, 2>
+    periods(const Scene &scene, const Placement &placement)
+    {
+      const PeriodicCell cell = cell_of(scene);
+      return {
+        {(cell.shift(1, 0) + cell.slope(1, 0) * placement.position).norm(),
+         (cell.shift(0, 1) + cell.slope(0, 1) * placement.position).norm()}};
+    }
+
+
+
+    Placement
+    strained(const Scene     &scene,
+             const Placement &start,
+             const double     warp_strain,
+             const double     fill_strain)
+    {
+      const auto &size  = *scene.fibers.cell;
+      Placement   moved = start;
+      moved.position[0] += warp_strain * (size[0] + start.position[0]);
+      moved.position[1] += fill_strain * (size[1] + start.position[1]);
+      return moved;
+    }
+
+
+
+    double
+    pull(const Tow::Family family, const std::vector<BodyVector> &reactions)
+    {
+      return reactions[body][family == Tow::Family::warp ? 0 : 1];
+    }
+
+
+
+    CurveRow
+    curve(const Scene                   &scene,
+          const State                   &state,
+          const std::vector<BodyVector> &reactions)
+    {
+      const auto  &size  = *scene.fibers.cell;
+      const double mean  = std::sqrt(size[0] * size[1]);
+      const auto   start = periods(scene, state.stage_start_placements[body]),
+                 now     = periods(scene, state.placements[body]);
+      return {{"force_per_width_warp[N/mm]", reactions[body][0] / start[1]},
+              {"force_per_width_fill[N/mm]", reactions[body][1] / start[0]},
+              {"force_per_width_shear[N/mm]", reactions[body][2] / mean},
+              {"period_warp[mm]", now[0]},
+              {"period_fill[mm]", now[1]},
+              {"shear_strain", state.placements[body].position[2] / mean}};
+    }
+  } // namespace Cell
+} // namespace fiberloom

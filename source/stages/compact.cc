@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/parameter_catalogue.h>
+#include <fiberloom/base/parameters.h>
+
+#include <fiberloom/stages/cell.h>
+#include <fiberloom/stages/compact.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiberloom
+{
+  namespace
+  {
+    constexpr unsigned int plates = Cell::body + 1; // their body
+
+    // As stiff as the fiber's own section.
+    constexpr double plate_stiffness = M_PI_4;
+
+    // The middle of plates that nothing touches stays where it is.
+    constexpr double middle_spring = 1e-6;
+
+    // A pressure begins with this part of it: where nothing presses, plates can
+    // be anywhere.
+    constexpr double least_pressure = .01;
+  } // namespace
+
+
+
+  Compact::Compact(const Scene &scene)
+    : Stage(scene)
+    , parameters(scene.parameters.compact)
+    , fiber_volume(0)
+  {
+    for (const auto &line : scene.mesh.lines())
+      fiber_volume += M_PI * line.radius * line.radius * line.length;
+  }
+
+
+
+  Supports
+  Compact::supports(const DofVector &) const
+  {
+    Supports  supports = Cell::supports(scene, 0);
+    RigidBody body;
+    body.name = "plates";
+    body.prescribed.reset(2);
+    if (parameters.pressure > 0)
+      body.prescribed.reset(0);
+    supports.bodies.push_back(body);
+    const ContactParameters &contact = scene.parameters.contact;
+    supports.plates                  = Plates{plates,
+                             plate_stiffness,
+                             contact.largest_penetration / 4,
+                             middle_spring,
+                             std::max(1u,
+                                      static_cast<unsigned int>(std::lround(
+                                        contact.stations_per_element)))};
+    return supports;
+  }
+
+
+
+  void
+  Compact::begin(State &state) const
+  {
+    Cell::place(state);
+    double low = 1e300, high = -1e300;
+    for (const auto &line : scene.mesh.lines())
+      for (unsigned int n = line.first_node;
+           n < line.first_node + line.n_nodes();
+           ++n)
+        {
+          const double z = state.q[9 * n + 2];
+          const double h = std::hypot(state.q[9 * n + 5], state.q[9 * n + 8]);
+          low            = std::min(low, z - h);
+          high           = std::max(high, z + h);
+        }
+    // So deep that both plates are held by what they touch.
+    const double depth = .5 * scene.parameters.contact.largest_penetration *
+                         scene.mesh.smallest_radius();
+    Placement placement;
+    placement.position = {high - low - 2 * depth, 0, .5 * (low + high)};
+    state.placements.push_back(placement);
+    if (last_distance(state.placements) >= placement.position[0])
+      throw StageFailure("stage compact: the fabric is " +
+                         exact_text(high - low) +
+                         " mm thick, which is thinner than it is to become");
+  }
+
+
+
+  double
+  Compact::way(const double load) const
+  {
+    return parameters.return_way ? 1 - std::abs(2 * load - 1) : load;
+  }
+
+
+
+  double
+  Compact::area(const std::vector<Placement> &placements) const
+  {
+    const auto periods = Cell::periods(scene, placements[Cell::body]);
+    return periods[0] * periods[1];
+  }
+
+
+
+  double
+  Compact::last_distance(const std::vector<Placement> &start) const
+  {
+    return parameters.volume_fraction > 0 ?
+             fiber_volume / (area(start) * parameters.volume_fraction) :
+             parameters.thickness;
+  }
+
+
+
+  Past
+  Compact::guess(const State &state, const double load_step) const
+  {
+    // As if all had been pressed together evenly until now.
+    Past past{state.q, state.placements, state.load - load_step};
+    if (parameters.pressure > 0)
+      return {};
+    const double start  = state.stage_start_placements[plates].position[0],
+                 end    = last_distance(state.stage_start_placements),
+                 now    = state.placements[plates].position[0],
+                 next   = start + way(state.load + load_step) * (end - start);
+    const double middle = state.placements[plates].position[2];
+    const double ratio  = (2 * now - next) / now;
+    for (unsigned int n = 0; n < scene.mesh.n_nodes(); ++n)
+      past.q[9 * n + 2] = middle + ratio * (past.q[9 * n + 2] - middle);
+    past.placements[plates].position[0] *= ratio;
+    return past;
+  }
+
+
+
+  std::vector<BodyTarget>
+  Compact::targets(const std::vector<Placement> &start, const double load) const
+  {
+    std::vector<BodyTarget> targets;
+    for (const Placement &placement : start)
+      targets.push_back({placement});
+    if (parameters.pressure > 0)
+      targets[plates].load[0] = -parameters.pressure * area(start) *
+                                std::max(least_pressure, way(load));
+    else
+      targets[plates].placement.position[0] +=
+        way(load) * (last_distance(start) - start[plates].position[0]);
+    return targets;
+  }
+
+
+
+  ContactRule
+  Compact::rule(const double) const
+  {
+    ContactRule rule;
+    rule.friction = scene.parameters.contact.friction_coefficient > 0;
+    return rule;
+  }
+
+
+
+  double
+  Compact::first_step(const State &) const
+  {
+    return parameters.first_step;
+  }
+
+
+
+  double
+  Compact::largest_step() const
+  {
+    return parameters.largest_step;
+  }
+
+
+
+  double
+  Compact::next_stop(const double load) const
+  {
+    return parameters.return_way && load < .5 ? .5 : 1;
+  }
+
+
+
+  CurveRow
+  Compact::curve(const State                   &state,
+                 const std::vector<BodyVector> &reactions) const
+  {
+    const double distance = state.placements[plates].position[0],
+                 area     = this->area(state.placements);
+    return {{"thickness[mm]", distance},
+            {"pressure[MPa]", -reactions[plates][0] / area},
+            {"fiber_volume_fraction", fiber_volume / (area * distance)}};
+  }
+} // namespace fiberloom
