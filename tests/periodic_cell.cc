@@ -30,7 +30,7 @@ namespace
   {
     Parameters                    parameters;
     FiberSet                      fibers;
-    std::map<std::string, double> last; // of all columns
+    std::map<std::string, double> last;       // of all columns
     double                        energy = 0; // [N mm]
     std::vector<double>           stiffness;
     State                         state;
@@ -96,8 +96,8 @@ namespace
       return Eigen::VectorXd(
         -Eigen::Map<const Eigen::VectorXd>(system.right_hand_side().data(), n));
     };
-    const State start = moved(1e-4); // out of balance
-    ended.state       = start;
+    const State start            = moved(1e-4); // out of balance
+    ended.state                  = start;
     const Eigen::VectorXd forces = residual(start);
     const Eigen::VectorXd slope  = multiply(system, direction);
     const double          rise   = (system.energy(moved(step), ended.contacts) -
@@ -150,9 +150,7 @@ namespace
                    C[0],
                  1e-7);
     checks.below("warp against fill", C[4] / C[0] - 1, 1e-4);
-    checks.above("determinant of warp and fill",
-                 C[0] * C[4] - C[1] * C[3],
-                 0);
+    checks.above("determinant of warp and fill", C[0] * C[4] - C[1] * C[3], 0);
 
     const double strain = 1e-7;
     const auto   pulled = with({"Stages=weave, relax, biaxial",
@@ -192,8 +190,10 @@ main(int argc, char **argv)
   };
   const Ended cell = run_cell(tight);
   check_derivatives(checks, "pulled", cell);
-  check_same(checks, "cut elsewhere", cell, with("Fabric/Cell cut=.25, .25"), 1);
-  check_same(checks, "cut at a crossing", cell, with("Fabric/Cell cut=.5, 0"), 1);
+  check_same(
+    checks, "cut elsewhere", cell, with("Fabric/Cell cut=.25, .25"), 1);
+  check_same(
+    checks, "cut at a crossing", cell, with("Fabric/Cell cut=.5, 0"), 1);
   const Ended doubled = run_cell({tight[0],
                                   "Fabric/Warp/Tows=4",
                                   "Fabric/Fill/Tows=2",
