@@ -186,8 +186,9 @@ namespace fiberloom
                     "File with the axes of the fibers [mm], taken relative to "
                     "the directory of this file: a table with the columns "
                     "fiber, x, y, z and, if wanted, radius, young_modulus, "
-                    "poisson_ratio, or lines of VTK with the same names as "
-                    "data of points or cells.",
+                    "poisson_ratio, tow and family, which make a fabric, or "
+                    "lines of VTK with the names of values as data of points "
+                    "or cells.",
                     Allowed::text_like("a file .csv, .vtp or .vtu"));
       catalogue.add("Curves",
                     fibers.curves,

@@ -58,6 +58,18 @@ namespace fiberloom
         }
     }
 
+    /** Of a file, which has a fabric only if it has its tows. */
+    void
+    check_stages(const Parameters &parameters, const FiberSet &fibers)
+    {
+      for (const std::string &stage : parameters.stages)
+        if (!fibers.pattern && stage != "load" && stage != "coat")
+          throw InputError(
+            parameters.where("Stages") + ": " + stage +
+            " needs a fabric, but Fibers/File has no columns tow and family "
+            "with warp and fill; allowed: coat, load, or a file with them");
+    }
+
     void
     check_load_lists(const Parameters &parameters, const FiberSet &fibers)
     {
@@ -80,6 +92,7 @@ namespace fiberloom
         tows->layers = default_layers(tows->fibers);
 
     const FiberSet fibers = build_fiber_set(parameters);
+    check_stages(parameters, fibers);
     check_drive_ends(parameters, fibers);
     check_load_lists(parameters, fibers);
   }
