@@ -419,6 +419,10 @@ namespace fiberloom
     for (const DriveParameters &drive : drives)
       check_drive(drive, *this);
     check_distributed_loads(*this);
+    if (output.only_summary && !output.exports.empty())
+      throw InputError(where("Output/Export") +
+                       ": Output/Only summary is true, so nothing would be "
+                       "exported; allowed: one of the two");
     check_matrix_parameters(*this);
     check_size(*this);
 
