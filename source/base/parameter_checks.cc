@@ -476,7 +476,9 @@ namespace fiberloom
                        sources[0] + " is given, too; allowed: one of them");
     for (const std::string &stage : stages)
       {
-        if (!is_fabric() && stage != "load" && stage != "coat")
+        // Whether a file has a fabric shows when it is read.
+        if (!is_fabric() && fibers.file.empty() && stage != "load" &&
+            stage != "coat")
           throw InputError(where("Stages") + ": " + stage +
                            " needs a fabric, but Fibers/" +
                            fibers.sources().front() +
@@ -491,6 +493,10 @@ namespace fiberloom
     check_distributed_loads(*this);
     check_cell(*this);
     check_compact(*this);
+    if (output.only_summary && !output.exports.empty())
+      throw InputError(where("Output/Export") +
+                       ": Output/Only summary is true, so nothing would be "
+                       "exported; allowed: one of the two");
     check_matrix_parameters(*this);
     check_size(*this);
 
@@ -508,10 +514,11 @@ namespace fiberloom
     if (std::count(sequence.begin(), sequence.end(), "coat") > 1)
       throw InputError(where("Stages") + ": there is a matrix already; "
                                          "allowed: coat only once");
-    if (!is_fabric())
+    if (!is_fabric() && fibers.file.empty())
       return;
     for (std::size_t i = 0; i < sequence.size(); ++i)
-      if ((sequence[i] == "weave") != (i == 0))
+      if ((sequence[i] == "weave") != (i == 0) &&
+          (is_fabric() || sequence[i] == "weave")) // files may be woven
         throw InputError(where("Stages") + ": " +
                          (i == 0 ?
                             sequence[i] +

@@ -198,8 +198,9 @@ namespace fiberloom
                     "File with the axes of the fibers [mm], taken relative to "
                     "the directory of this file: a table with the columns "
                     "fiber, x, y, z and, if wanted, radius, young_modulus, "
-                    "poisson_ratio, or lines of VTK with the same names as "
-                    "data of points or cells.",
+                    "poisson_ratio, tow and family, which make a fabric, or "
+                    "lines of VTK with the names of values as data of points "
+                    "or cells.",
                     Allowed::text_like("a file .csv, .vtp or .vtu"));
       catalogue.add("Curves",
                     fibers.curves,
@@ -671,6 +672,24 @@ namespace fiberloom
                     "Whether nothing is written but log.txt and summary.json, "
                     "and a checkpoint where a run stops before its end.",
                     Allowed::true_or_false());
+      catalogue.add(
+        "Export",
+        output.exports,
+        "What goes to the directory export at the end of the last stage, for "
+        "other programs: surface, each tow as a closed surface (.stl, .vtp); "
+        "voxels, tow, fiber volume fraction and orientation in a regular grid "
+        "(.vti); abaqus, the same grid as a deck of finite elements (.inp); "
+        "paths, the axes of the fibers (.csv), which Fibers/File reads; "
+        "texgen, tows with their sections in TexGen's XML; fibers, the axes "
+        "with radius, tow and family (.vtp).",
+        Allowed::list_of(
+          Allowed::one_of("surface|voxels|abaqus|paths|texgen|fibers")));
+      catalogue.add("Voxel size",
+                    output.voxel_size,
+                    "Edge of the voxels of Export [mm]; surfaces are found in "
+                    "a grid of half of it. 0: the smallest fiber radius, or "
+                    "more, so that there are a million voxels at most.",
+                    Allowed::at_least(0));
       catalogue.leave_section();
     }
   } // namespace

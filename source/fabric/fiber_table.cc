@@ -6,6 +6,7 @@
 #include <fiberloom/base/parameter_catalogue.h>
 
 #include <fiberloom/fabric/fiber_table.h>
+#include <fiberloom/fabric/tow_family.h>
 #include <fiberloom/fabric/units.h>
 
 #include <deal.II/base/utilities.h>
@@ -51,6 +52,11 @@ namespace fiberloom
         for (const std::string &cell : row)
           headings.push_back(heading_of(cell));
         check_header();
+        // One without the other makes no tows.
+        if (!has("tow") || !has("family"))
+          for (Heading &heading : headings)
+            if (heading.name == "tow" || heading.name == "family")
+              heading.is_read = false;
       }
 
       bool
@@ -77,18 +83,29 @@ namespace fiberloom
         return find(column) != headings.end();
       }
 
+      bool
+      has_tows() const
+      {
+        return has("tow") && find("tow")->is_read;
+      }
+
+      const std::string &
+      text(const std::string &column) const
+      {
+        return row[find(column) - headings.begin()];
+      }
+
       /** In mm or MPa. */
       double
       value(const std::string &column) const
       {
-        const auto         heading = find(column);
-        const std::string &text    = row[heading - headings.begin()];
-        double             value   = 0;
-        const auto        *end     = text.data() + text.size();
-        const auto         read    = std::from_chars(text.data(), end, value);
+        const std::string &cell  = text(column);
+        double             value = 0;
+        const auto        *end   = cell.data() + cell.size();
+        const auto         read  = std::from_chars(cell.data(), end, value);
         if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value))
-          fail(column + " = " + text + "; allowed: a number");
-        return value * heading->factor;
+          fail(column + " = " + cell + "; allowed: a number");
+        return value * find(column)->factor;
       }
 
       std::vector<std::string>
@@ -188,6 +205,35 @@ namespace fiberloom
       return fibers.back();
     }
 
+    /** Tows follow each other, those of the fiber before or the next. */
+    void
+    set_tow(const TableReader &table, std::vector<FiberPoints> &fibers)
+    {
+      const auto number = table.value("tow");
+      const auto family = family_of_name(table.text("family"));
+      if (!family)
+        table.fail("family = " + table.text("family") +
+                   "; allowed: warp, fill, none");
+      FiberPoints &fiber = fibers.back();
+      if (!fiber.points.empty())
+        {
+          if (number != *fiber.tow || family != fiber.family)
+            table.fail("tow or family changes along the fiber; allowed: one "
+                       "of each a fiber");
+          return;
+        }
+      const std::size_t next =
+        fibers.size() > 1 ? *fibers[fibers.size() - 2].tow + 1 : 0;
+      if (number != next && (next == 0 || number + 1 != next))
+        table.fail("tow = " + exact_text(number) +
+                   "; allowed: fibers of one tow after those of another, "
+                   "counted from 0, here " +
+                   (next == 0 ? "" : std::to_string(next - 1) + " or ") +
+                   std::to_string(next));
+      fiber.tow    = number;
+      fiber.family = family;
+    }
+
     void
     add_row(const TableReader &table, FiberPoints &fiber)
     {
@@ -225,7 +271,10 @@ namespace fiberloom
           table.fail("there are more than " +
                      std::to_string(FiberFile::most_points) +
                      " points; allowed: fewer");
-        add_row(table, fiber_of_row(table, found.fibers));
+        FiberPoints &fiber = fiber_of_row(table, found.fibers);
+        if (table.has_tows())
+          set_tow(table, found.fibers);
+        add_row(table, fiber);
       }
     return found;
   }

@@ -10,6 +10,7 @@
 #include <fiberloom/fabric/fiber_checks.h>
 #include <fiberloom/fabric/fiber_file.h>
 #include <fiberloom/fabric/fiber_set.h>
+#include <fiberloom/fabric/tow_groups.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -307,6 +308,8 @@ namespace fiberloom
                           fibers.interpolation != "straight");
             });
           }
+        if (read.front().tow)
+          explained(source, [&] { group_into_tows(read, set); });
       }
 
       void

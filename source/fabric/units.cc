@@ -36,6 +36,8 @@ namespace fiberloom
 
     const std::vector<std::pair<std::string, const Units &>> quantities = {
       {"fiber", numbers},
+      {"tow", numbers},
+      {"family", numbers},
       {"x", lengths},
       {"y", lengths},
       {"z", lengths},

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
-#include <fiberloom/base/exceptions.h>
-
 #include <fiberloom/output/fields.h>
 #include <fiberloom/output/files.h>
+#include <fiberloom/output/xml_content.h>
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
@@ -26,20 +24,6 @@ namespace fiberloom
     constexpr double same_time = 1e-9;
 
     const char *const xml_header = "<?xml version=\"1.0\"?>\n";
-
-    std::string
-    piece_content(vtkUnstructuredGrid *piece)
-    {
-      vtkNew<vtkXMLUnstructuredGridWriter> writer;
-      writer->SetInputData(piece);
-      writer->SetDataModeToAppended();
-      writer->EncodeAppendedDataOff();
-      writer->SetCompressorTypeToZLib();
-      writer->WriteToOutputStringOn();
-      if (writer->Write() == 0)
-        throw StageFailure("a field could not be encoded for ParaView");
-      return writer->GetOutputString();
-    }
 
     const char *
     xml_type(vtkDataArray *array)
@@ -147,7 +131,7 @@ namespace fiberloom
     collectively(comm, [&]() {
       std::filesystem::create_directories(folder);
       write_file(folder + piece_name(this_mpi_process(comm)),
-                 piece_content(piece));
+                 xml_content<vtkXMLUnstructuredGridWriter>(piece));
     });
 
     all_entries.erase(std::remove_if(all_entries.begin(),

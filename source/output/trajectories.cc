@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/fabric/tow_family.h>
+
 #include <fiberloom/output/fiber_samples.h>
 #include <fiberloom/output/tow_sections.h>
 #include <fiberloom/output/trajectories.h>
@@ -11,20 +13,6 @@ namespace fiberloom
 {
   namespace
   {
-    const char *
-    family_name(const Tow::Family family)
-    {
-      switch (family)
-        {
-          case Tow::Family::warp:
-            return "warp";
-          case Tow::Family::fill:
-            return "fill";
-          default:
-            return "none";
-        }
-    }
-
     void
     write_position(std::ostream &out, const double abscissa, const Vector3 &p)
     {

@@ -5,6 +5,7 @@
 #include <fiberloom/base/version.h>
 
 #include <fiberloom/output/contact_field.h>
+#include <fiberloom/output/exports.h>
 #include <fiberloom/output/fiber_field.h>
 #include <fiberloom/output/files.h>
 #include <fiberloom/output/matrix_field.h>
@@ -263,10 +264,13 @@ namespace fiberloom
               parameters.stages.size() - 1,
               0,
               state.q);
-    if (!parameters.output.only_summary && fibers.pattern)
+    if (!parameters.output.only_summary)
       collectively(comm, [&]() {
-        if (is_first_rank())
+        if (!is_first_rank())
+          return;
+        if (fibers.pattern)
           write_file(path(fabric.file()), fabric.str(), true);
+        write_exports(parameters, fibers, mesh, state.q);
       });
     write_summary(true);
   }
@@ -563,6 +567,8 @@ namespace fiberloom
         write_file(path("stiffness.csv"),
                    stiffness_csv(report.statistics.membrane_stiffness),
                    true);
+      if (report.state.stage + 1 == parameters.stages.size())
+        write_exports(parameters, fibers, mesh, report.state.q);
     });
   }
 } // namespace fiberloom

@@ -294,7 +294,15 @@ namespace fiberloom
       return {};
     std::ostringstream asked;
     parameters.print(asked);
-    const auto changes = changed_entries(restart.run.asked, asked.str());
+    auto changes = changed_entries(restart.run.asked, asked.str());
+    // Without a matrix only an exported deck knows of its section.
+    if (!parameters.has_matrix() && restart.state.matrix.is_empty())
+      changes.erase(std::remove_if(changes.begin(),
+                                   changes.end(),
+                                   [](const std::string &change) {
+                                     return change.rfind("Matrix/", 0) == 0;
+                                   }),
+                    changes.end());
     if (changes.empty())
       return {};
     if (nothing_left)

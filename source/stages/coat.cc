@@ -24,7 +24,7 @@ namespace fiberloom
   Supports
   Coat::supports(const DofVector &start) const
   {
-    if (scene.parameters.is_fabric())
+    if (scene.fibers.pattern)
       return Relax::supports(start);
     // Loose fibers stay where they are until drives hold them.
     Supports supports;
@@ -46,7 +46,7 @@ namespace fiberloom
   void
   Coat::begin(State &state) const
   {
-    if (scene.parameters.is_fabric())
+    if (scene.fibers.pattern)
       Relax::begin(state);
     else
       state.placements.assign(1, Placement());

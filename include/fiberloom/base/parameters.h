@@ -255,6 +255,10 @@ namespace fiberloom
     bool         pictures         = true;
     bool         iterations       = false;
     bool         only_summary     = false;
+
+    std::vector<std::string> exports; // surface | voxels | abaqus | paths |
+                                      // texgen | fibers
+    double voxel_size = 0; // [mm], 0: the smallest fiber radius, or more
   };
 
   /**

@@ -5,6 +5,7 @@
 #define fiberloom_fabric_fiber_file_h
 
 #include <fiberloom/fabric/curve.h>
+#include <fiberloom/fabric/fiber_set.h>
 
 #include <array>
 #include <cstdint>
@@ -23,6 +24,10 @@ namespace fiberloom
 
     Polyline                             points; // [mm]
     std::array<std::optional<double>, 3> values; // [mm], [MPa], -
+
+    // Both or none, for all fibers of a file: tows follow each other from 0.
+    std::optional<std::size_t> tow;
+    std::optional<Tow::Family> family;
   };
 
   /** What a file of fibers holds. */

@@ -91,7 +91,7 @@ namespace fiberloom
     operator()(const IncrementReport &report);
 
     /**
-     * Measures @p state , which has all stages behind it, as the
+     * Measures and exports @p state , which has all stages behind it, as the
      * end of the last stage does. To be called after begin() where no stage is
      * left.
      */
