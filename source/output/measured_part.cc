@@ -146,6 +146,29 @@ namespace fiberloom
       part.normal = (sum[2] < 0 ? -1 : 1) * sum.normalized();
       return true;
     }
+
+    /** A periodic cell is measured as a whole. */
+    MeasuredPart
+    whole_cell(const FiberSet       &fibers,
+               const FiberMesh      &mesh,
+               const CrossingFinder &finder)
+    {
+      MeasuredPart           part;
+      std::array<Vector3, 2> periods = {{Vector3::Zero(), Vector3::Zero()}};
+      for (const Tow &tow : fibers.tows)
+        {
+          const Vector3 period =
+            finder.point(tow, 1).position - finder.point(tow, 0).position;
+          periods[tow.family == Tow::Family::warp ? 0 : 1] = period;
+          part.tows.push_back({{{0, 1}}, period.norm(), 1});
+        }
+      const Vector3 area = periods[0].cross(periods[1]);
+      part.area          = area.norm();
+      part.normal        = area.normalized();
+      for (const FiberMesh::Line &line : mesh.lines())
+        part.fibers.push_back({{0, double(line.n_elements)}});
+      return part;
+    }
   } // namespace
 
 
@@ -156,8 +179,10 @@ namespace fiberloom
                          const DofVector &q)
   {
     const CrossingFinder finder(fibers, mesh, q);
-    const auto           crossings = finder.find();
-    MeasuredPart         part;
+    if (fibers.cell)
+      return whole_cell(fibers, mesh, finder);
+    const auto   crossings = finder.find();
+    MeasuredPart part;
     if (!crossings || !measure_cells(*crossings, part))
       return {};
 

@@ -311,7 +311,6 @@ namespace fiberloom
       {
         if (!by_newton.solve(state,
                              following,
-                             parameters.solver.contact_tolerance,
                              parameters.solver.largest_loop_iterations))
           return false;
         last_negative_pivots = by_newton.negative_pivots();
@@ -351,10 +350,7 @@ namespace fiberloom
     increment.generate(state, problem);
     if (increment.contacts.empty())
       return newton(state, problem, increment.tolerance());
-    return by_newton.solve(state,
-                           problem,
-                           parameters.solver.contact_tolerance,
-                           n);
+    return by_newton.solve(state, problem, n);
   }
 
 

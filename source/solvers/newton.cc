@@ -81,10 +81,7 @@ namespace fiberloom
 
 
   bool
-  Newton::solve(State             &state,
-                const Problem     &problem,
-                const double       tolerance,
-                const unsigned int most)
+  Newton::solve(State &state, const Problem &problem, const unsigned int most)
   {
     generated_at.resize(0);
     trusted        = true;
@@ -103,12 +100,12 @@ namespace fiberloom
         residual = increment.residual(problem);
         lagged   = std::max(lagged, residual);
         watch({residual, damping, last_factor});
-        if (!moves && residual < tolerance &&
-            is_at_rest(state, problem, tolerance))
+        if (!moves && residual < increment.tolerance() &&
+            is_at_rest(state, problem))
           return true;
         Step step;
         if (i == most || !std::isfinite(residual) ||
-            !find_step(state, problem, tolerance, step))
+            !find_step(state, problem, step))
           return false;
         ++statistics.newton_iterations;
         limits_are_new = !moves && take_coupled_step(state, problem);
@@ -152,16 +149,14 @@ namespace fiberloom
 
 
   bool
-  Newton::is_at_rest(State         &state,
-                     const Problem &problem,
-                     const double   tolerance)
+  Newton::is_at_rest(State &state, const Problem &problem)
   {
     increment.generate(state, problem);
     generated_at = state.q;
     assemble(state, problem, Curvature::exact);
     residual = lagged = increment.residual(problem);
     limits_are_new    = true;
-    return residual < tolerance;
+    return residual < increment.tolerance();
   }
 
 
@@ -215,7 +210,6 @@ namespace fiberloom
 
   bool
   Newton::solve_linear(const State                   &state,
-                       const double                   tolerance,
                        const double                   damping,
                        const LinearSolver::Indefinite indefinite,
                        Step                          &step)
@@ -232,7 +226,7 @@ namespace fiberloom
         std::max(least_damping, damping) * system.stiffness_scale(),
         step.solution,
         indefinite,
-        std::clamp(linear_part * tolerance / residual,
+        std::clamp(linear_part * increment.tolerance() / residual,
                    tightest_system,
                    loosest_system));
     }
@@ -255,17 +249,13 @@ namespace fiberloom
 
 
   bool
-  Newton::find_step(const State   &state,
-                    const Problem &problem,
-                    const double   tolerance,
-                    Step          &step)
+  Newton::find_step(const State &state, const Problem &problem, Step &step)
   {
     using Indefinite = LinearSolver::Indefinite;
-    if (is_exact &&
-        !solve_linear(state, tolerance, damping, Indefinite::refused, step))
+    if (is_exact && !solve_linear(state, damping, Indefinite::refused, step))
       assemble(state, problem, Curvature::positive);
     if (!is_exact)
-      solve_linear(state, tolerance, damping, Indefinite::shifted, step);
+      solve_linear(state, damping, Indefinite::shifted, step);
 
     for (unsigned int k = 0; k < most_predictions && std::isfinite(step.move) &&
                              predict_closing(state, step) > 0;
@@ -274,7 +264,7 @@ namespace fiberloom
         // Contacts that are predicted pull as well as push: what they make of
         // the step still has to go down.
         Step next;
-        solve_linear(state, tolerance, 0, Indefinite::shifted, next);
+        solve_linear(state, 0, Indefinite::shifted, next);
         if (!(next.slope < least_descent * step.slope))
           break;
         step = std::move(next);

@@ -35,7 +35,8 @@ namespace fiberloom
   /**
    * What lies between the first and the last crossing of each tow, the lines
    * of the outermost tows being the borders. None where a family has less than
-   * two tows, tows do not cross in order, or the fabric is not flat.
+   * two tows, tows do not cross in order, or the fabric is not flat. A periodic
+   * cell is measured as a whole.
    */
   std::optional<MeasuredPart>
   part_between_crossings(const FiberSet  &fibers,

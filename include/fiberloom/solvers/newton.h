@@ -15,7 +15,7 @@ namespace fiberloom
   /**
    * Newton's method on the incremental potential of fibers, contacts whose
    * points follow them, friction with limits of an earlier iterate, matrix and
-   * loads. Steps are judged by energy; section 4.2 of the theory has the
+   * loads. Steps are judged by energy; section 4.4 of the theory has the
    * algorithm.
    *
    * Soft fibers slide along a curved valley between stiff ones. A step along
@@ -50,14 +50,11 @@ namespace fiberloom
     /**
      * Moves @p state , in which prescribed dofs are at their targets and
      * contacts have been generated, to equilibrium: everything generated
-     * anew, the residual is below @p tolerance times its scale. False, with
+     * anew, the residual is below the tolerance of the increment. False, with
      * @p state spoilt, where @p most iterations do not lead there.
      */
     bool
-    solve(State             &state,
-          const Problem     &problem,
-          const double       tolerance,
-          const unsigned int most);
+    solve(State &state, const Problem &problem, const unsigned int most);
 
     /** Of the last exact tangent; -1 if its factorisation failed. */
     int
@@ -82,7 +79,7 @@ namespace fiberloom
     /** Whether the fully regenerated problem is in balance; assembled anew
      * where it is not. */
     bool
-    is_at_rest(State &state, const Problem &problem, const double tolerance);
+    is_at_rest(State &state, const Problem &problem);
 
     void
     assemble(const State    &state,
@@ -91,15 +88,11 @@ namespace fiberloom
 
     /** False where the matrix stays indefinite or the step is not finite. */
     bool
-    find_step(const State   &state,
-              const Problem &problem,
-              const double   tolerance,
-              Step          &step);
+    find_step(const State &state, const Problem &problem, Step &step);
 
     /** What the system that was assembled last leads to. */
     bool
     solve_linear(const State                   &state,
-                 const double                   tolerance,
                  const double                   damping,
                  const LinearSolver::Indefinite indefinite,
                  Step                          &step);
