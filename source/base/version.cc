@@ -11,10 +11,7 @@
 
 // CGAL and VTK are not for this folder to see, so all of these are told by the
 // build
-#if !defined(FIBERLOOM_VERSION) || !defined(FIBERLOOM_REVISION) || \
-  !defined(FIBERLOOM_CGAL_VERSION) || !defined(FIBERLOOM_VTK_VERSION)
-#  error "versions have to be defined where this file is compiled"
-#endif
+#include <versions.h>
 
 namespace fiberloom
 {
