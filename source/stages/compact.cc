@@ -20,6 +20,9 @@ namespace fiberloom
     // As stiff as the fiber's own section.
     constexpr double plate_stiffness = M_PI_4;
 
+    // Of an element: crests are to be seen wherever they lie.
+    constexpr unsigned int least_stations = 4;
+
     // The middle of plates that nothing touches stays where it is.
     constexpr double middle_spring = 1e-6;
 
@@ -56,9 +59,9 @@ namespace fiberloom
                              plate_stiffness,
                              contact.largest_penetration / 4,
                              middle_spring,
-                             std::max(1u,
+                             std::max(least_stations,
                                       static_cast<unsigned int>(std::lround(
-                                        contact.stations_per_element)))};
+                                        2 * contact.stations_per_element)))};
     return supports;
   }
 
