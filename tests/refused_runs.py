@@ -54,7 +54,7 @@ def check_notes():
     with open("extra.prm", "w") as scene:
         scene.write("set Stages = load\nset Drives = d\nsubsection Drive d\nset Ends = 0 start\nend\n"
                     "subsection Fibers\nset File = extra.csv\nend\n")
-    check_note("a column that is not read", ["extra.prm, line 7: Fibers/File", "ignored are tex; read are fiber, x"], scene="extra.prm")
+    check_note("a column that is not read", ["extra.prm, line 7: Fibers/File", "ignored are tex; read are fiber, tow"], scene="extra.prm")
 
 
 def spoilt(content, place, byte):

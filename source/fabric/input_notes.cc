@@ -146,12 +146,14 @@ namespace fiberloom
         check(parameters.fibers.density, density_range, "Fibers/Density");
       }
 
-      /** Of a fabric. */
+      /** Of a fabric; a modulus that is likely a mistake has a note of its own.
+       */
       void
       check_areal_weight(const FiberSet &fibers, const std::string &entry)
       {
         for (const Fiber &fiber : fibers.fibers)
-          if (!known_density(fiber))
+          if (!known_density(fiber) &&
+              is_usual(fiber.young_modulus, modulus_range))
             return add(parameters.where(entry) +
                        " is not given, and a Young modulus of " +
                        exact_text(fiber.young_modulus) +
