@@ -252,6 +252,7 @@ namespace fiberloom
   Newton::find_step(const State &state, const Problem &problem, Step &step)
   {
     using Indefinite = LinearSolver::Indefinite;
+    unpredicted      = Step();
     if (is_exact && !solve_linear(state, damping, Indefinite::refused, step))
       assemble(state, problem, Curvature::positive);
     if (!is_exact)
@@ -267,6 +268,8 @@ namespace fiberloom
         solve_linear(state, 0, Indefinite::shifted, next);
         if (!(next.slope < least_descent * step.slope))
           break;
+        if (k == 0)
+          unpredicted = std::move(step);
         step = std::move(next);
       }
     for (ContactElement &contact : increment.contacts)
@@ -383,49 +386,73 @@ namespace fiberloom
 
 
 
+  Newton::Reached
+  Newton::search(const State   &state,
+                 const Problem &problem,
+                 const Step    &step,
+                 const double   here)
+  {
+    ScopedTimer timer(statistics.seconds.assembly);
+    Reached     found;
+    found.factor        = longest(step);
+    const auto evaluate = [&]() {
+      found.state  = moved(state, step.increment, found.factor);
+      found.energy = energy(state, found.state, problem);
+    };
+    const auto goes_down = [&]() {
+      return found.energy <= here + sufficient * found.factor * step.slope ||
+             (found.energy <= here + rounding * std::abs(here) &&
+              slope(found.state, problem, step) <=
+                (2 * sufficient - 1) * step.slope);
+    };
+    for (evaluate(); found.cuts < most_cuts && !goes_down(); ++found.cuts)
+      {
+        const double parabola =
+          -.5 * step.slope * found.factor * found.factor /
+          (found.energy - here - step.slope * found.factor);
+        found.factor *=
+          std::isfinite(parabola) ?
+            std::clamp(parabola / found.factor, shortest, longest_cut) :
+            shortest;
+        evaluate();
+      }
+    return found;
+  }
+
+
+
   void
   Newton::descend(State &state, const Problem &problem, const Step &step)
   {
-    const double here    = energy(state, state, problem);
-    const double full    = longest(step);
-    double       factor  = full;
-    State        there   = moved(state, step.increment, factor);
-    double       reached = energy(state, there, problem);
-    unsigned int cuts    = 0;
-    {
-      ScopedTimer timer(statistics.seconds.assembly);
-      const auto  goes_down = [&]() {
-        return reached <= here + sufficient * factor * step.slope ||
-               (reached <= here + rounding * std::abs(here) &&
-                slope(there, problem, step) <=
-                  (2 * sufficient - 1) * step.slope);
-      };
-      for (; cuts < most_cuts && !goes_down(); ++cuts)
-        {
-          const double parabola = -.5 * step.slope * factor * factor /
-                                  (reached - here - step.slope * factor);
-          factor =
-            std::isfinite(parabola) ?
-              std::clamp(parabola, shortest * factor, longest_cut * factor) :
-              shortest * factor;
-          there   = moved(state, step.increment, factor);
-          reached = energy(state, there, problem);
-        }
-    }
-    if (residual > corrected_from)
-      reached = correct(state, problem, step, factor, reached, there);
+    const double here         = energy(state, state, problem);
+    const double full         = longest(step);
+    Reached      found        = search(state, problem, step, here);
+    bool         as_predicted = true;
+    if (found.factor < shortest && unpredicted.move > 0)
+      {
+        // Contacts that were to close on the way did so elsewhere.
+        Reached other = search(state, problem, unpredicted, here);
+        as_predicted  = !(other.energy < found.energy);
+        if (!as_predicted)
+          found = std::move(other);
+      }
+    const double factor = found.factor;
+    if (as_predicted && residual > corrected_from)
+      found.energy =
+        correct(state, problem, step, factor, found.energy, found.state);
 
-    const double predicted = -step.slope * factor * (1 - .5 * factor);
-    const double actual    = predicted > 0 ? (here - reached) / predicted : 0;
-    if (actual < poor_model || cuts > 1)
+    const double slope     = as_predicted ? step.slope : unpredicted.slope;
+    const double predicted = -slope * factor * (1 - .5 * factor);
+    const double actual = predicted > 0 ? (here - found.energy) / predicted : 0;
+    if (actual < poor_model || found.cuts > 1)
       damping = std::max(damping_growth * damping, least_damping);
-    else if (actual > good_model && cuts == 0 && full == 1)
+    else if (actual > good_model && found.cuts == 0 && full == 1)
       damping =
         damping_decay * damping < least_damping ? 0 : damping_decay * damping;
     trusted          = factor == 1 && actual > poor_model;
     last_factor      = factor;
-    state.q          = std::move(there.q);
-    state.placements = std::move(there.placements);
+    state.q          = std::move(found.state.q);
+    state.placements = std::move(found.state.placements);
   }
 
 

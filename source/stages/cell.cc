@@ -69,6 +69,10 @@ namespace fiberloom
           Attachment         attachment =
             attach(scene.mesh.initial(), node, body, Hold::axial);
           attachment.held.set(4); // nor can it spin
+          // Tows keep their spacing, which next to nothing else would hold.
+          const Tow &tow = scene.fibers.tows[scene.fibers.fibers[f].tow];
+          if (f == tow.fibers[tow.fibers.size() / 2])
+            attachment.held.set(0);
           if (f == 0 && holds_height)
             attachment.held.set(1);
           const Vector3 x = scene.mesh.initial().segment<3>(9 * node);

@@ -73,6 +73,15 @@ namespace fiberloom
       double              move  = 0; // largest, over the radius
     };
 
+    /** Where a line search ends. */
+    struct Reached
+    {
+      State        state;
+      double       energy = 0; // [N mm]
+      double       factor = 1; // of the step
+      unsigned int cuts   = 0;
+    };
+
     void
     refresh(State &state, const Problem &problem);
 
@@ -113,6 +122,13 @@ namespace fiberloom
     /** A part of @p step on which prescribed nodes move as far as allowed. */
     void
     follow_motion(State &state, const Problem &problem, const Step &step);
+
+    /** Along @p step until the energy is below @p here [N mm]. */
+    Reached
+    search(const State   &state,
+           const Problem &problem,
+           const Step    &step,
+           const double   here);
 
     /** Down the energy along @p step and back to the valley's floor. */
     void
@@ -155,7 +171,8 @@ namespace fiberloom
     Watch            watch;
 
     DofVector           generated_at;
-    std::vector<double> gradient; // with the sign of a right hand side
+    std::vector<double> gradient;    // with the sign of a right hand side
+    Step                unpredicted; // where contacts were predicted to close
     bool                is_exact       = true; // the tangent of this iteration
     bool                trusted        = true; // the model of the last one
     double              damping        = 0;    // over E r
