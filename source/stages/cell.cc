@@ -53,7 +53,8 @@ namespace fiberloom
     Supports
     supports(const Scene         &scene,
              const std::bitset<3> free,
-             const bool           holds_height)
+             const bool           holds_height,
+             const bool           holds_spacing)
     {
       Supports supports;
       supports.cell = cell_of(scene);
@@ -69,9 +70,8 @@ namespace fiberloom
           Attachment         attachment =
             attach(scene.mesh.initial(), node, body, Hold::axial);
           attachment.held.set(4); // nor can it spin
-          // Tows keep their spacing, which next to nothing else would hold.
           const Tow &tow = scene.fibers.tows[scene.fibers.fibers[f].tow];
-          if (f == tow.fibers[tow.fibers.size() / 2])
+          if (holds_spacing && f == tow.fibers[tow.fibers.size() / 2])
             attachment.held.set(0);
           if (f == 0 && holds_height)
             attachment.held.set(1);

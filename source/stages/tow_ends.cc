@@ -63,7 +63,7 @@ namespace fiberloom
              const MatrixBorders::Grip grip)
     {
       if (scene.fibers.cell)
-        return Cell::supports(scene, axially_free ? 3 : 0);
+        return Cell::supports(scene, axially_free ? 3 : 0, true, axially_free);
       const auto &tows = scene.fibers.tows;
       Supports    supports;
       for (const Tow &tow : tows)

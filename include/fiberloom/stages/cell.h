@@ -21,11 +21,14 @@ namespace fiberloom
     constexpr unsigned int body = 0;
 
     /** @p free : elongations along warp and fill and the shear whose mean
-     * stress is given. @p holds_height : whether one node stays where it is. */
+     * stress is given. @p holds_height : whether one node stays where it is;
+     * @p holds_spacing : whether the middle fiber of each tow keeps its place
+     * across the tow, where no friction does so. */
     Supports
     supports(const Scene         &scene,
              const std::bitset<3> free,
-             const bool           holds_height = true);
+             const bool           holds_height  = true,
+             const bool           holds_spacing = false);
 
     /** Undeformed where @p state has no cell yet. */
     void
