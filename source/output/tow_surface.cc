@@ -31,7 +31,9 @@ namespace fiberloom
        {{0, 4, 5, 7}},
        {{0, 5, 1, 7}}}};
 
-    /** Marching tetrahedra: values are linear in each of them. */
+    /** Marching tetrahedra: values are linear in each of them, so that surfaces
+     * of tows that are apart at the points are apart. VTK's contours of images
+     * march through cubes, whose triangles do not promise that. */
     class SurfaceBuilder
     {
     public:

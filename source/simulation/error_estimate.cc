@@ -87,6 +87,8 @@ namespace fiberloom
       const std::vector<std::pair<std::string, double>> usual{
         {"[N]", outcome.unresolved / (least_scale * least_scale)},
         {"[N.mm]", force * radius},
+        {"[MPa]", 0},
+        {"[N/mm]", 0},
         {"[mm]", radius},
         {"[rad]", 1}};
       std::map<std::string, double> scales;
@@ -126,12 +128,6 @@ namespace fiberloom
 
 
 
-    /** Thrown where iterations do not settle. */
-    struct Unsettled
-    {};
-
-
-
     /** A state, and what iterations make of it with other parameters. */
     struct Response
     {
@@ -141,7 +137,7 @@ namespace fiberloom
     /**
      * What iterations make of @p found with other parameters; @p from : what
      * changes are counted from, or null: from the state itself. Throws
-     * Unsettled where they go on changing it.
+     * StageFailure where they go on changing it.
      */
     Response
     solve(const Scene                 &scene,
@@ -222,7 +218,7 @@ namespace fiberloom
             }
           done += n;
         }
-      throw Unsettled();
+      throw StageFailure("the iterations of an estimate do not settle");
     }
   } // namespace
 
@@ -248,7 +244,8 @@ namespace fiberloom
             .after;
         };
         const auto scale = scales(now, scene.mesh.smallest_radius());
-        if (scale.count("[N]") + scale.count("[N.mm]") == 0)
+        if (scale.count("[N]") + scale.count("[N.mm]") + scale.count("[MPa]") ==
+            0)
           return {};
         const Outcome        finer = solve_with({2, 1, 1});
         const Eigen::ArrayXd mesh = of_second_order * change(now, finer, scale);
@@ -278,10 +275,6 @@ namespace fiberloom
                 largest(tolerance)};
       }
     catch (const StageFailure &)
-      {
-        return {};
-      }
-    catch (const Unsettled &)
       {
         return {};
       }

@@ -62,8 +62,9 @@ namespace fiberloom
              (more > 0 ? ", and " + std::to_string(more) + " more" : "");
     }
 
-    /** Whether something holds the crossing tows, whose ends `bend` lets go:
-     * loose from the first increment on, they find no balance. */
+    /** Throws InputError where nothing holds the crossing tows, whose ends
+     * `bend` lets go: loose from the first increment on, they find no balance.
+     */
     void
     check_bending(const Parameters &parameters, const State &state)
     {

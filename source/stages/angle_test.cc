@@ -115,14 +115,4 @@ namespace fiberloom
                                start[b];
     return targets;
   }
-
-
-
-  ContactRule
-  AngleTest::rule(const double) const
-  {
-    ContactRule rule;
-    rule.friction = scene.parameters.contact.friction_coefficient > 0;
-    return rule;
-  }
 } // namespace fiberloom

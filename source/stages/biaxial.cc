@@ -91,16 +91,6 @@ namespace fiberloom
 
 
 
-  ContactRule
-  Biaxial::rule(const double) const
-  {
-    ContactRule rule;
-    rule.friction = scene.parameters.contact.friction_coefficient > 0;
-    return rule;
-  }
-
-
-
   double
   Biaxial::first_step(const State &) const
   {

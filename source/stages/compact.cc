@@ -5,6 +5,8 @@
 #include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
+#include <fiberloom/matrix/layer_geometry.h>
+
 #include <fiberloom/stages/cell.h>
 #include <fiberloom/stages/compact.h>
 
@@ -71,17 +73,8 @@ namespace fiberloom
   Compact::begin(State &state) const
   {
     Cell::place(state);
-    double low = 1e300, high = -1e300;
-    for (const auto &line : scene.mesh.lines())
-      for (unsigned int n = line.first_node;
-           n < line.first_node + line.n_nodes();
-           ++n)
-        {
-          const double z = state.q[9 * n + 2];
-          const double h = std::hypot(state.q[9 * n + 5], state.q[9 * n + 8]);
-          low            = std::min(low, z - h);
-          high           = std::max(high, z + h);
-        }
+    const Extent extent = skin_extent(scene.mesh, state.q);
+    const double low = extent.low[2], high = extent.high[2];
     // So deep that both plates are held by what they touch.
     const double depth = .5 * scene.parameters.contact.largest_penetration *
                          scene.mesh.smallest_radius();
@@ -157,16 +150,6 @@ namespace fiberloom
       targets[plates].placement.position[0] +=
         way(load) * (last_distance(start) - start[plates].position[0]);
     return targets;
-  }
-
-
-
-  ContactRule
-  Compact::rule(const double) const
-  {
-    ContactRule rule;
-    rule.friction = scene.parameters.contact.friction_coefficient > 0;
-    return rule;
   }
 
 

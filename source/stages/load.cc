@@ -397,16 +397,6 @@ namespace fiberloom
 
 
 
-  ContactRule
-  Load::rule(const double) const
-  {
-    ContactRule rule;
-    rule.friction = scene.parameters.contact.friction_coefficient > 0;
-    return rule;
-  }
-
-
-
   double
   Load::first_step(const State &) const
   {

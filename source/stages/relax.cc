@@ -36,16 +36,6 @@ namespace fiberloom
 
 
 
-  ContactRule
-  Relax::rule(const double) const
-  {
-    ContactRule rule;
-    rule.friction = scene.parameters.contact.friction_coefficient > 0;
-    return rule;
-  }
-
-
-
   double
   Relax::first_step(const State &) const
   {

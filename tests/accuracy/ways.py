@@ -11,7 +11,8 @@ import os
 from documents import markdown_table
 
 SAME = 1e-3
-FABRICS = {"plain": "plain_weave", "twill 3/1": "plain_weave"}  # pattern: scene
+SCENE = "plain_weave"
+PATTERNS = ("plain", "twill 3/1")
 STRAINS = (.002, .01, .02)
 COMMON = ["Solver/Error estimate=false", "Biaxial/First step=0.1", "Biaxial/Largest step=0.1"]
 
@@ -30,13 +31,13 @@ WAYS = {
 }
 
 
-def pulled(run, scene, settings, ranks, restarted):
+def pulled(run, settings, ranks, restarted):
     """Energy of the relaxed fabric [N mm], its thickness [mm], warp forces [N] and all Newton iterations."""
     if restarted:
-        woven = run(scene, settings + ["Stages=weave, relax"], ranks)
-        pull = run(scene, settings + ["Stages=biaxial"], ranks, os.path.join(woven.directory, "checkpoint"))
+        woven = run(SCENE, settings + ["Stages=weave, relax"], ranks)
+        pull = run(SCENE, settings + ["Stages=biaxial"], ranks, os.path.join(woven.directory, "checkpoint"))
     else:
-        woven = pull = run(scene, settings, ranks)
+        woven = pull = run(SCENE, settings, ranks)
     relaxed = next(stage for stage in woven.summary["stages"] if stage["name"] == "relax")
     rows = [row for row in pull.rows if row["stage"] == "biaxial"]
     forces = [min(rows, key=lambda row: abs(row["strain_warp"] - strain))["force_warp[N]"] for strain in STRAINS]
@@ -49,11 +50,11 @@ def judge(run):
     header = ["weave", "way", "energy, relaxed [N mm]", "thickness [mm]"]
     header += [f"force at {100 * strain:g} % [N]" for strain in STRAINS] + ["largest difference", "Newton iterations"]
     rows = []
-    for pattern, scene in FABRICS.items():
+    for pattern in PATTERNS:
         usual = None
         for way, (settings, ranks, restarted) in WAYS.items():
             energy, thickness, forces, iterations = pulled(
-                run, scene, COMMON + [f"Fabric/Pattern={pattern}"] + settings, ranks, restarted)
+                run, COMMON + [f"Fabric/Pattern={pattern}"] + settings, ranks, restarted)
             usual = usual or forces
             off = max(abs(force / one - 1) for force, one in zip(forces, usual))
             rows.append([pattern, way, f"{energy:.6f}", f"{thickness:.5f}", *(f"{force:.4f}" for force in forces),

@@ -30,9 +30,6 @@ namespace fiberloom
     targets(const std::vector<Placement> &start,
             const double                  load) const override;
 
-    ContactRule
-    rule(const double load) const override;
-
     double
     first_step(const State &) const override
     {

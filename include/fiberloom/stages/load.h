@@ -42,9 +42,6 @@ namespace fiberloom
     std::vector<Vector3>
     node_forces(const double load) const override;
 
-    ContactRule
-    rule(const double load) const override;
-
     double
     first_step(const State &state) const override;
 

@@ -100,8 +100,10 @@ namespace fiberloom
       return {};
     }
 
+    /** Contacts found by distance, with the scene's friction, unless it weaves.
+     */
     virtual ContactRule
-    rule(const double load) const = 0;
+    rule(const double load) const;
 
     /** Of the load. */
     virtual double

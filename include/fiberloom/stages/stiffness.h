@@ -4,7 +4,7 @@
 #ifndef fiberloom_stages_stiffness_h
 #define fiberloom_stages_stiffness_h
 
-#include <fiberloom/stages/stage.h>
+#include <fiberloom/stages/relax.h>
 
 namespace fiberloom
 {
@@ -13,32 +13,13 @@ namespace fiberloom
    * the cell is held where it is, and what small strains would do is found from
    * the tangent there, see membrane_stiffness().
    */
-  class Stiffness : public Stage
+  class Stiffness : public Relax
   {
   public:
-    using Stage::Stage;
+    using Relax::Relax;
 
     Supports
     supports(const DofVector &start) const override;
-
-    void
-    begin(State &state) const override;
-
-    std::vector<BodyTarget>
-    targets(const std::vector<Placement> &start,
-            const double                  load) const override;
-
-    ContactRule
-    rule(const double load) const override;
-
-    double
-    first_step(const State &state) const override;
-
-    bool
-    is_test() const override
-    {
-      return false;
-    }
 
     bool
     finds_stiffness() const override
