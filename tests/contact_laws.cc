@@ -99,15 +99,16 @@ namespace
   sample_contact(const double penetration)
   {
     ContactElement contact;
-    contact.normal         = Vector3(.1, -.15, 1).normalized();
-    contact.offset         = 0;
-    contact.stiffness      = 1.5;
-    contact.length         = 2;
-    contact.spread         = 0;
-    contact.skewness       = {{1, 1}};
-    contact.regularization = .02;
-    contact.friction_limit = 0;
-    contact.elastic_slip   = .05;
+    contact.normal          = Vector3(.1, -.15, 1).normalized();
+    contact.friction_normal = contact.normal;
+    contact.offset          = 0;
+    contact.stiffness       = 1.5;
+    contact.length          = 2;
+    contact.spread          = 0;
+    contact.skewness        = {{1, 1}};
+    contact.regularization  = .02;
+    contact.friction_limit  = 0;
+    contact.elastic_slip    = .05;
     contact.slip_before.setZero();
     contact.separation_before.setZero();
     contact.radii     = {{1, 1}};
@@ -312,9 +313,10 @@ namespace
   {
     SectionPair x;
     x << 0, 0, 1.9, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1;
-    ContactElement contact = sample_contact(.1);
-    contact.normal         = Vector3::UnitZ();
-    contact.offset         = 0;
+    ContactElement contact  = sample_contact(.1);
+    contact.normal          = Vector3::UnitZ();
+    contact.friction_normal = contact.normal;
+    contact.offset          = 0;
     place_particles(contact, x);
 
     double       change = 0;

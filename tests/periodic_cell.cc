@@ -105,13 +105,13 @@ namespace
                         (2 * step);
     checks.below(name + ", slope of the energy",
                  rise / forces.dot(direction) - 1,
-                 1e-4);
+                 1e-8);
     checks.below(name + ", slope of the residual",
                  relative_error((residual(moved(step)) -
                                  residual(moved(-step))) /
                                   (2 * step),
                                 slope),
-                 1e-3);
+                 1e-7);
   }
 
 

@@ -147,7 +147,8 @@ namespace fiberloom
                                0. :
                                parameters.largest_penetration * radius / 4;
     contact.friction_limit = 0;
-    contact.elastic_slip   = parameters.elastic_slip * radius;
+    contact.friction_normal.setZero();
+    contact.elastic_slip = parameters.elastic_slip * radius;
     contact.slip_before.setZero();
     contact.separation_before.setZero();
     contact.particles = {};
@@ -672,6 +673,7 @@ namespace fiberloom
           continue;
 
         contact.normal_force_before = contact.normal_force;
+        contact.friction_normal     = contact.normal;
         contact.friction_limit =
           parameters.friction_coefficient * contact.normal_force;
         // What was before has turned with the two fibers since.

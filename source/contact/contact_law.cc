@@ -146,7 +146,7 @@ namespace fiberloom
       const Vector3 slip = contact.slip_before +
                            particle_separation(contact, x) -
                            contact.separation_before;
-      return slip - contact.normal * contact.normal.dot(slip);
+      return slip - contact.friction_normal * contact.friction_normal.dot(slip);
     }
 
     void
@@ -185,7 +185,8 @@ namespace fiberloom
       if (tangent == nullptr)
         return;
       const Matrix3 projection =
-        Matrix3::Identity() - contact.normal * contact.normal.transpose();
+        Matrix3::Identity() -
+        contact.friction_normal * contact.friction_normal.transpose();
       Matrix3 stiffness = secant * projection;
       if (s > 1e-12 * contact.elastic_slip)
         stiffness +=

@@ -52,6 +52,7 @@ namespace fiberloom
       to.particles           = from.particles;
       to.friction_limit      = from.friction_limit;
       to.normal_force_before = from.normal_force_before;
+      to.friction_normal     = from.friction_normal;
       to.slip_before         = from.slip_before;
       to.separation_before   = from.separation_before;
     }

@@ -59,6 +59,7 @@ namespace fiberloom
     // friction; a limit of 0 means none
     double  friction_limit;          // mu f* [N]
     double  normal_force_before = 0; // f* [N]
+    Vector3 friction_normal;         // unit, across the plane of friction
     double  elastic_slip;            // [mm]
     Vector3 slip_before; // reversible slip at the start of the increment [mm]
     Vector3 separation_before; // of the two particles then [mm]
