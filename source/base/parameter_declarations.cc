@@ -417,6 +417,12 @@ namespace fiberloom
                     weaving.fast_iterations_per_step,
                     "Newton iterations of each step of the fast path.",
                     Allowed::whole(1, most_iterations));
+      catalogue.add("Coarser meshes",
+                    weaving.coarser_meshes,
+                    "Meshes with half as many elements each, on which the fast "
+                    "path weaves first, as long as two elements are left for "
+                    "each tow that a fiber crosses.",
+                    Allowed::whole(0, 8));
       catalogue.leave_section();
     }
 

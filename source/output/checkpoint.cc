@@ -24,7 +24,7 @@
 #include <cstring>
 #include <sstream>
 
-BOOST_CLASS_VERSION(fiberloom::StageStatistics, 5)
+BOOST_CLASS_VERSION(fiberloom::StageStatistics, 6)
 
 namespace boost
 {
@@ -71,6 +71,8 @@ namespace boost
         ar &s.estimated_error.tolerance;
       if (version >= 5)
         ar &s.membrane_stiffness;
+      if (version >= 6)
+        ar &s.coarse_iterations;
     }
 
     template <class Archive>

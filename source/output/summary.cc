@@ -145,6 +145,7 @@ namespace fiberloom
         .member("contact_updates", stage.contact_updates)
         .member("normal_updates", stage.normal_updates)
         .member("newton_iterations", stage.newton_iterations)
+        .member("coarse_iterations", stage.coarse_iterations)
         .member("linear_iterations", stage.linear_iterations)
         .member("factorizations", stage.factorizations)
         .member("unsymmetric_systems", stage.unsymmetric_systems)

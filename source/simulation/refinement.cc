@@ -57,7 +57,8 @@ namespace fiberloom
     for (Junction &junction : finer_matrix.junctions)
       junction.point =
         fine.locate(coarse.fiber_of_element(junction.point.element),
-                    refinement.elements * coarse.parameter(junction.point));
+                    ratio(coarse.fiber_of_element(junction.point.element)) *
+                      coarse.parameter(junction.point));
     if (composite)
       refine_cells();
   }
@@ -78,17 +79,26 @@ namespace fiberloom
     state.matrix = finer_matrix;
     for (ContactZone &zone : state.contact.zones)
       {
-        for (auto &range : zone.range)
-          for (double &u : range)
-            u *= refinement.elements;
+        for (unsigned int s = 0; s < 2; ++s)
+          for (double &u : zone.range[s])
+            u *= ratio(zone.fibers[s]);
         zone.stiffness *= refinement.stiffness;
         if (refinement.stations != 1)
           zone.divided.clear();
       }
     for (FrictionHistory &slip : state.contact.history)
-      for (double &u : slip.u)
-        u *= refinement.elements;
+      for (unsigned int s = 0; s < 2; ++s)
+        slip.u[s] *= ratio(slip.fibers[s]);
     return state;
+  }
+
+
+
+  double
+  Transfer::ratio(const unsigned int fiber) const
+  {
+    return double(fine.with_images().lines()[fiber].n_elements) /
+           coarse.with_images().lines()[fiber].n_elements;
   }
 
 
@@ -102,9 +112,8 @@ namespace fiberloom
     for (unsigned int f = 0; f < fine.lines().size(); ++f)
       for (unsigned int k = 0; k < fine.lines()[f].n_nodes(); ++k)
         {
-          const ElementPoint point =
-            coarse.locate(f, .5 * k / refinement.elements);
-          const auto N = shape_values(point.xi);
+          const ElementPoint point = coarse.locate(f, .5 * k / ratio(f));
+          const auto         N     = shape_values(point.xi);
           for (unsigned int a = 0; a < 3; ++a)
             result.segment<9>(9 * (fine.lines()[f].first_node + k)) +=
               N[a] * displacement.segment<9>(

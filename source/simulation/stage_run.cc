@@ -8,6 +8,7 @@
 
 #include <fiberloom/stages/cell.h>
 
+#include <fiberloom/simulation/coarse_start.h>
 #include <fiberloom/simulation/membrane_stiffness.h>
 #include <fiberloom/simulation/stage_run.h>
 
@@ -129,7 +130,22 @@ namespace fiberloom
   StageRun::take_fast_path(State &state)
   {
     State found = state;
-    if (!stage.take_fast_path(found, state, equilibrium))
+    bool  there = false;
+    // A stage that begins with the fibers where they were made.
+    if (stage.starts_coarsely() && state.stage == 0)
+      if (const auto coarse = start_coarsely(scene,
+                                             name,
+                                             statistics,
+                                             log,
+                                             system.layout().communicator(),
+                                             stop_requested))
+        {
+          found.q          = coarse->q;
+          found.placements = coarse->placements;
+          found.contact    = coarse->contact;
+          there            = stage.settle(found, state, equilibrium);
+        }
+    if (!there && !stage.take_fast_path(found, state, equilibrium))
       return false;
     accept(state, std::move(found), 1);
     return true;

@@ -329,6 +329,17 @@ namespace fiberloom
 
 
 
+  bool
+  Equilibrium::solve_from(State &state, const Problem &problem)
+  {
+    Problem following            = problem;
+    following.rule.points_follow = true;
+    increment.generate(state, following);
+    return solve_by_newton(state, following);
+  }
+
+
+
   void
   Equilibrium::time_yardstick()
   {

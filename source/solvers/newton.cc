@@ -252,7 +252,7 @@ namespace fiberloom
   Newton::find_step(const State &state, const Problem &problem, Step &step)
   {
     using Indefinite = LinearSolver::Indefinite;
-    unpredicted      = Step();
+    other            = Step();
     if (is_exact && !solve_linear(state, damping, Indefinite::refused, step))
       assemble(state, problem, Curvature::positive);
     if (!is_exact)
@@ -267,9 +267,13 @@ namespace fiberloom
         Step next;
         solve_linear(state, 0, Indefinite::shifted, next);
         if (!(next.slope < least_descent * step.slope))
-          break;
+          {
+            if (k == 0 && next.slope < 0)
+              other = std::move(next);
+            break;
+          }
         if (k == 0)
-          unpredicted = std::move(step);
+          other = std::move(step);
         step = std::move(next);
       }
     for (ContactElement &contact : increment.contacts)
@@ -416,6 +420,19 @@ namespace fiberloom
             shortest;
         evaluate();
       }
+    // A model that is too stiff asks for too short a step.
+    const double furthest = largest_move > 0 ? largest_move : 1;
+    while (found.cuts == 0 && 2 * found.factor * step.move < furthest &&
+           here - found.energy > -good_model * step.slope * found.factor)
+      {
+        Reached longer;
+        longer.factor = 2 * found.factor;
+        longer.state  = moved(state, step.increment, longer.factor);
+        longer.energy = energy(state, longer.state, problem);
+        if (!(longer.energy < found.energy))
+          break;
+        found = std::move(longer);
+      }
     return found;
   }
 
@@ -424,32 +441,35 @@ namespace fiberloom
   void
   Newton::descend(State &state, const Problem &problem, const Step &step)
   {
-    const double here         = energy(state, state, problem);
-    const double full         = longest(step);
-    Reached      found        = search(state, problem, step, here);
-    bool         as_predicted = true;
-    if (found.factor < shortest && unpredicted.move > 0)
+    const double here  = energy(state, state, problem);
+    const double full  = longest(step);
+    Reached      found = search(state, problem, step, here);
+    const Step  *taken = &step;
+    if (found.factor < shortest && other.move > 0)
       {
-        // Contacts that were to close on the way did so elsewhere.
-        Reached other = search(state, problem, unpredicted, here);
-        as_predicted  = !(other.energy < found.energy);
-        if (!as_predicted)
-          found = std::move(other);
+        // Contacts close on the way, and other ones than predicted.
+        Reached instead = search(state, problem, other, here);
+        if (instead.energy < found.energy)
+          {
+            found = std::move(instead);
+            taken = &other;
+          }
       }
     const double factor = found.factor;
-    if (as_predicted && residual > corrected_from)
+    if (residual > corrected_from)
       found.energy =
-        correct(state, problem, step, factor, found.energy, found.state);
+        correct(state, problem, *taken, factor, found.energy, found.state);
 
-    const double slope     = as_predicted ? step.slope : unpredicted.slope;
-    const double predicted = -slope * factor * (1 - .5 * factor);
+    const double slope     = taken->slope;
+    const double modelled  = std::min(1., factor);
+    const double predicted = -slope * modelled * (1 - .5 * modelled);
     const double actual = predicted > 0 ? (here - found.energy) / predicted : 0;
     if (actual < poor_model || found.cuts > 1)
       damping = std::max(damping_growth * damping, least_damping);
     else if (actual > good_model && found.cuts == 0 && full == 1)
       damping =
         damping_decay * damping < least_damping ? 0 : damping_decay * damping;
-    trusted          = factor == 1 && actual > poor_model;
+    trusted          = factor >= 1 && actual > poor_model;
     last_factor      = factor;
     state.q          = std::move(found.state.q);
     state.placements = std::move(found.state.placements);

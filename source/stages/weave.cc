@@ -126,10 +126,23 @@ namespace fiberloom
                             damping);
       }
 
-    // Friction starts where the fibers are now: nothing is locked in.
     problem.rule = ContactRule();
     equilibrium.iterate(state, problem, frictionless_iterations, damping);
-    if (!equilibrium.solve_by_newton(state, problem))
+    return settle(state, before, equilibrium);
+  }
+
+
+
+  bool
+  Weave::settle(State       &state,
+                const State &before,
+                Equilibrium &equilibrium) const
+  {
+    // Friction starts where the fibers are now: nothing is locked in.
+    const Equilibrium::Problem problem{before,
+                                       targets(before.placements, 1),
+                                       {}};
+    if (!equilibrium.solve_from(state, problem))
       return false;
     const State          reference = state;
     Equilibrium::Problem end{reference, problem.targets, {}};

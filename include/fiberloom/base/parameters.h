@@ -141,6 +141,7 @@ namespace fiberloom
     double      step =
       0.5; // reduction of the allowed overlap per step over the radius
     unsigned int fast_iterations_per_step = 2;
+    unsigned int coarser_meshes           = 2;
   };
 
   struct BiaxialParameters

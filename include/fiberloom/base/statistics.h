@@ -49,6 +49,7 @@ namespace fiberloom
     unsigned int contact_updates                 = 0;
     unsigned int normal_updates                  = 0;
     unsigned int newton_iterations               = 0;
+    unsigned int coarse_iterations               = 0; // on coarser meshes
     unsigned int linear_iterations               = 0;
     unsigned int factorizations                  = 0;
     double       largest_penetration_over_radius = 0;

@@ -34,7 +34,8 @@ namespace fiberloom
   class Transfer
   {
   public:
-    /** To the mesh @p fine of the fibers, with @p matrix as in the states. */
+    /** To the mesh @p fine of the fibers, with @p matrix as in the states;
+     * how many elements there are for one, the meshes tell. */
     Transfer(const Scene       &scene,
              const MatrixState &matrix,
              const FiberMesh   &fine,
@@ -51,6 +52,10 @@ namespace fiberloom
     }
 
   private:
+    /** Elements of the finer mesh for one of @p fiber . */
+    double
+    ratio(const unsigned int fiber) const;
+
     DofVector
     fiber_dofs(const DofVector &q) const;
 

@@ -65,6 +65,10 @@ namespace fiberloom
     bool
     solve_by_newton(State &state, const Problem &problem);
 
+    /** As that, with contacts of @p state as it is. */
+    bool
+    solve_from(State &state, const Problem &problem);
+
     /** At most @p n iterations of Newton's method, or all that it takes where
      * nothing touches; whether they lead to balance. */
     bool

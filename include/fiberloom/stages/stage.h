@@ -139,6 +139,23 @@ namespace fiberloom
       return false;
     }
 
+    /** Whether a coarser mesh may go before, from where the fibers are made. */
+    virtual bool
+    starts_coarsely() const
+    {
+      return false;
+    }
+
+    /**
+     * Goes on from where the fast path led on a coarser mesh to the end of the
+     * stage. False, with @p state spoilt, where there is none or it fails.
+     */
+    virtual bool
+    settle(State &, const State & /*before*/, Equilibrium &) const
+    {
+      return false;
+    }
+
     /** Whether the curve tells how the sample answers a load. */
     virtual bool
     is_test() const

@@ -50,6 +50,18 @@ namespace fiberloom
                    Equilibrium &equilibrium) const override;
 
     bool
+    starts_coarsely() const override
+    {
+      return true;
+    }
+
+    /** To the minimum of the energy without friction, then with it. */
+    bool
+    settle(State       &state,
+           const State &before,
+           Equilibrium &equilibrium) const override;
+
+    bool
     is_test() const override
     {
       return false;
