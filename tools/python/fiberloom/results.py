@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+"""What a run has written, as pandas data."""
+
+import json
+from pathlib import Path
+
+
+class Results:
+    """The output directory of a run; files are read when they are asked for."""
+
+    def __init__(self, directory):
+        """Throws FileNotFoundError where there is no summary.json."""
+        self.directory = Path(directory)
+        self.summary = json.loads((self.directory / "summary.json").read_text())
+
+    def __repr__(self):
+        stages = ", ".join(stage["name"] for stage in self.summary["stages"])
+        return f"Results({str(self.directory)!r}: {stages}{'' if self.converged else ', not converged'})"
+
+    @property
+    def converged(self):
+        """Whether all stages reached their end."""
+        return self.summary["converged"]
+
+    @property
+    def checkpoint(self):
+        """Path of the last state, for ``restart``."""
+        return self.directory / "checkpoint"
+
+    @property
+    def fabric(self):
+        """Measures of the last state by their names with units; empty where the scene is no fabric."""
+        return self.summary.get("fabric") or {}
+
+    @property
+    def stages(self):
+        """A row for each stage of the summary, nested entries with dots in their names."""
+        import pandas
+        return pandas.json_normalize(self.summary["stages"])
+
+    def curve(self, stage=None):
+        """Rows of the loading curve, of one stage or of all, without the columns that these do not have."""
+        table = self.read("loading_curve.csv")
+        if stage is not None:
+            table = table[table["stage"] == stage].reset_index(drop=True)
+        return table.dropna(axis="columns", how="all")
+
+    def error(self, stage):
+        """The estimated error of the loading curve of a stage, over its largest value; None where there is none."""
+        for entry in self.summary["stages"]:
+            if entry["name"] == stage:
+                return (entry.get("estimated_error") or {}).get("total")
+        return None
+
+    def read(self, name):
+        """A CSV file of the directory, such as trajectories.csv, reactions.csv or fabric.csv."""
+        import pandas
+        return pandas.read_csv(self.directory / name)
+
+
+def table(study):
+    """One row for each run of a sweep: its values, whether it converged, measures of the fabric, and the last row of its
+    loading curve."""
+    import pandas
+    rows = []
+    for values, results in study:
+        row = dict(values, converged=isinstance(results, Results) and results.converged)
+        if isinstance(results, Results):
+            row.update(results.fabric)
+            row.update(results.curve(results.summary["stages"][-1]["name"]).iloc[-1])
+        rows.append(row)
+    return pandas.DataFrame(rows)

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+"""The module against the program: run, failure, sweep from a checkpoint, tables and curves."""
+
+import pytest
+
+import fiberloom
+
+pandas = pytest.importorskip("pandas")
+
+SMALL = {"Fabric/Warp/Tows": 2, "Fabric/Warp/Fibers per tow": 3, "Fabric/Warp/Elements per fiber": 6, "Accuracy": "draft",
+         "Output/Pictures": False, "Biaxial/Largest strain": .005}
+SCENE = "prm/plain_weave.prm"
+
+
+@pytest.fixture(scope="module")
+def woven(tmp_path_factory):
+    return fiberloom.run(SCENE, {**SMALL, "Stages": ["weave", "relax"]}, output=tmp_path_factory.mktemp("woven"))
+
+
+def test_run_tells_what_it_wrote(woven):
+    assert woven.converged and woven.checkpoint.exists()
+    assert list(woven.stages["name"]) == ["weave", "relax"]
+    assert woven.curve("relax")["thickness[mm]"].iloc[-1] == pytest.approx(woven.fabric["thickness[mm]"], rel=.1)
+
+
+def test_bad_input_is_told(tmp_path):
+    with pytest.raises(fiberloom.RunFailed) as failure:
+        fiberloom.run(SCENE, {"Fabric/Pattern": "plaid"}, output=tmp_path)
+    assert failure.value.status == 1 and "plaid" in failure.value.message
+    assert failure.value.results is None
+
+
+def test_sweep_goes_on_from_one_weave(woven, tmp_path):
+    coefficients = [.1, .4]
+    study = fiberloom.sweep(SCENE, {"Contact/Friction coefficient": coefficients}, settings=SMALL, restart=woven.checkpoint,
+                            output=tmp_path)
+    table = fiberloom.table(study)
+    assert list(table["Contact/Friction coefficient"]) == coefficients and table["converged"].all()
+    assert table["force_warp[N]"].iloc[0] < table["force_warp[N]"].iloc[1]
+    assert study[0][1].curve("biaxial")["strain_warp"].iloc[-1] == pytest.approx(.005)
+
+
+def test_curves_are_drawn(woven, tmp_path):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    results = fiberloom.run(SCENE, SMALL, restart=woven.checkpoint, output=tmp_path)
+    axes = fiberloom.plot(results, "strain_warp", "force_warp[N]")
+    curve = results.curve("biaxial")
+    assert list(axes.lines[0].get_ydata()) == list(curve["force_warp[N]"])
+    assert (len(axes.collections) == 1) == bool(results.error("biaxial"))
