@@ -81,7 +81,7 @@ namespace
     for (unsigned int i = 0; i < n; ++i)
       if (system.motion().is_fixed(i))
         direction[i] = 0;
-    const double step  = 1e-7;
+    const double step  = 3e-8;
     const auto   moved = [&](const double factor) {
       State state = ended.state;
       system.motion().advance(state, direction, factor);
