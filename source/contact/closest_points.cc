@@ -171,4 +171,12 @@ namespace fiberloom
       }
     return u;
   }
+
+
+
+  Vector3
+  mean_direction(const Vector3 &t1, const Vector3 &t2)
+  {
+    return (t1 + (t1.dot(t2) >= 0 ? 1. : -1.) * t2).normalized();
+  }
 } // namespace fiberloom

@@ -68,6 +68,11 @@ namespace fiberloom
                const Section     &first,
                const unsigned int fiber,
                const double       start);
+
+  /** Unit tangent of the intermediate geometry of two fibers with these unit
+   * tangents, which may point opposite ways. */
+  Vector3
+  mean_direction(const Vector3 &t1, const Vector3 &t2);
 } // namespace fiberloom
 
 #endif
