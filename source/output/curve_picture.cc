@@ -136,13 +136,17 @@ namespace fiberloom
     class CurveSheet
     {
     public:
-      CurveSheet(const CurvePlot &plot)
+      CurveSheet(const CurvePlot &plot, const double error)
         : plot(plot)
         , picture(width, height)
       {
         x_range.include(plot.abscissa);
         for (const auto &values : plot.ordinates)
           y_range.include(values);
+        if (std::isfinite(error))
+          band = error * std::max(y_range.high, -y_range.low);
+        y_range.high += band;
+        y_range.low -= y_range.low < 0 ? band : 0;
         y_range.high += .06 * (y_range.high - y_range.low);
         if (!(y_range.high > y_range.low))
           y_range.high = y_range.low + 1;
@@ -154,6 +158,9 @@ namespace fiberloom
       draw(const std::string &title)
       {
         axes();
+        if (band > 0)
+          for (unsigned int i = 0; i < plot.names.size(); ++i)
+            error_band(i);
         for (unsigned int i = 0; i < plot.names.size(); ++i)
           curve(i);
         for (unsigned int i = 0; i < plot.names.size(); ++i)
@@ -211,6 +218,26 @@ namespace fiberloom
       }
 
       void
+      error_band(const unsigned int i)
+      {
+        std::vector<SvgPicture::Point> border;
+        const auto append = [&](const std::size_t k, const double side) {
+          if (std::isfinite(plot.abscissa[k]) &&
+              std::isfinite(plot.ordinates[i][k]))
+            border.push_back(
+              {{x(plot.abscissa[k]),
+                y(std::max(plot.ordinates[i][k] + side * band, y_range.low))}});
+        };
+        const std::size_t n = plot.abscissa.size();
+        for (std::size_t k = 0; k < n; ++k)
+          append(k, 1);
+        for (std::size_t k = n; k-- > 0;)
+          append(k, -1);
+        const Color light = curve_color(plot.names[i], i).lighter(.7);
+        picture.polygon(border, light, light, 0);
+      }
+
+      void
       curve(const unsigned int i)
       {
         std::vector<SvgPicture::Point> points;
@@ -242,13 +269,16 @@ namespace fiberloom
       const CurvePlot &plot;
       SvgPicture       picture;
       CurveRange       x_range, y_range;
+      double           band = 0; // on each side
     };
   } // namespace
 
 
 
   std::string
-  curve_picture(const LoadingCurve &curve, const unsigned int stage_index)
+  curve_picture(const LoadingCurve &curve,
+                const unsigned int  stage_index,
+                const double        error)
   {
     CurvePlot plot;
     choose_abscissa(curve, stage_index, plot);
@@ -260,6 +290,6 @@ namespace fiberloom
     for (const auto &row : curve.rows())
       if (row.stage_index == stage_index)
         stage = row.stage;
-    return CurveSheet(plot).draw("loading curve, stage " + stage);
+    return CurveSheet(plot, error).draw("loading curve, stage " + stage);
   }
 } // namespace fiberloom

@@ -7,24 +7,23 @@
 
 namespace fiberloom
 {
-  namespace
+  std::string
+  escaped(const std::string &text)
   {
-    std::string
-    escaped(const std::string &text)
-    {
-      std::string result;
-      for (const char c : text)
-        if (c == '&')
-          result += "&amp;";
-        else if (c == '<')
-          result += "&lt;";
-        else if (c == '>')
-          result += "&gt;";
-        else
-          result += c;
-      return result;
-    }
-  } // namespace
+    std::string result;
+    for (const char c : text)
+      if (c == '&')
+        result += "&amp;";
+      else if (c == '<')
+        result += "&lt;";
+      else if (c == '>')
+        result += "&gt;";
+      else if (c == '"')
+        result += "&quot;";
+      else
+        result += c;
+    return result;
+  }
 
 
 

@@ -363,6 +363,52 @@ namespace fiberloom
 
 
   void
+  OutputWriter::write_report(const std::string &scene)
+  {
+    if (parameters.output.only_summary)
+      return;
+    collectively(comm, [&]() {
+      if (!is_first_rank())
+        return;
+      Report report{scene, identity.asked, summary, curve, {}, {}};
+      for (unsigned int s = 0; s < statistics.size(); ++s)
+        if (const auto pictures = pictures_of_stage(s); !pictures.empty())
+          {
+            report.earlier.insert(report.earlier.end(),
+                                  report.last.begin(),
+                                  report.last.end());
+            report.last = pictures;
+          }
+      write_file(path("report.html"), report_html(report));
+    });
+  }
+
+
+
+  std::vector<ReportPicture>
+  OutputWriter::pictures_of_stage(const unsigned int stage) const
+  {
+    // What a stage that is not done would have written may be of a run before.
+    if (!parameters.output.pictures || !statistics[stage].converged)
+      return {};
+    const std::string          label = stage_label(parameters.stages, stage);
+    std::vector<ReportPicture> pictures;
+    if (const std::string view = path("pictures/view_" + label + ".png");
+        std::filesystem::exists(view))
+      pictures.push_back({view, "at the end of stage " + label});
+    unsigned int last = 0;
+    for (const IncrementTable::Row &row : curve.rows())
+      if (row.stage_index == stage)
+        last = row.increment;
+    for (const std::string &slice :
+         slices_of_increment(path("slices"), increment_label(label, last)))
+      pictures.push_back({slice, "slice, " + label});
+    return pictures;
+  }
+
+
+
+  void
   OutputWriter::count(const Composite *composite)
   {
     if (composite == nullptr)

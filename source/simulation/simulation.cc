@@ -410,6 +410,7 @@ namespace fiberloom
       log.write(note);
     log_what_is_left_out();
     const int status = run_stages(state, writer, stop);
+    writer.write_report(command_line.file);
     log_timings(writer.stages());
     if (parameters.solver.benchmark)
       log_benchmark(writer.stages());
@@ -491,6 +492,7 @@ namespace fiberloom
             record();
             writer.save(state);
             writer.write_summary(false);
+            writer.write_report(command_line.file);
             throw;
           }
 

@@ -8,6 +8,7 @@
 
 #include <fiberloom/output/increment_table.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -39,10 +40,14 @@ namespace fiberloom
   /**
    * The loading curve of a stage as SVG: all forces [N], or where there are
    * none all moments [N.mm], over the strain or angle that varies most, else
-   * over the load. Empty when there are not two points to draw.
+   * over the load. Empty when there are not two points to draw. A
+   * finite @p error is drawn as a band around the curves, over the largest of
+   * their values.
    */
   std::string
-  curve_picture(const LoadingCurve &curve, const unsigned int stage_index);
+  curve_picture(const LoadingCurve &curve,
+                const unsigned int  stage_index,
+                const double error = std::numeric_limits<double>::quiet_NaN());
 } // namespace fiberloom
 
 #endif

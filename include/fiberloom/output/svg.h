@@ -67,6 +67,10 @@ namespace fiberloom
     std::ostringstream body;
   };
 
+  /** As XML and HTML want text. */
+  std::string
+  escaped(const std::string &text);
+
   /** Round values between @p low and @p high , some @p n of them. */
   std::vector<double>
   axis_ticks(const double low, const double high, const unsigned int n);

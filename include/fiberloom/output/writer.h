@@ -20,6 +20,7 @@
 #include <fiberloom/output/fabric_measures.h>
 #include <fiberloom/output/fields.h>
 #include <fiberloom/output/reactions.h>
+#include <fiberloom/output/report.h>
 #include <fiberloom/output/summary.h>
 
 #include <deal.II/base/mpi.h>
@@ -125,6 +126,13 @@ namespace fiberloom
     void
     write_summary(const bool converged);
 
+    /**
+     * Writes report.html on the run so far, of the scene in the file @p scene ,
+     * unless only a summary is asked for.
+     */
+    void
+    write_report(const std::string &scene);
+
     /** Of the stages so far, those before a restart included. */
     const std::vector<StageStatistics> &
     stages() const
@@ -182,6 +190,10 @@ namespace fiberloom
 
     void
     write_pictures(const IncrementReport &report, const std::string &label);
+
+    /** Of the end of stage number @p stage : those that are there. */
+    std::vector<ReportPicture>
+    pictures_of_stage(const unsigned int stage) const;
 
     void
     write_end_of_stage(const IncrementReport &report, const std::string &label);
