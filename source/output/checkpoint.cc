@@ -72,7 +72,7 @@ namespace boost
       if (version >= 5)
         ar &s.membrane_stiffness;
       if (version >= 6)
-        ar &s.coarse_iterations;
+        ar &s.coarse_iterations &s.seconds.coarse;
     }
 
     template <class Archive>

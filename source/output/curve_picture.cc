@@ -55,16 +55,6 @@ namespace fiberloom
       return false;
     }
 
-    std::string
-    readable(std::string name)
-    {
-      std::replace(name.begin(), name.end(), '_', ' ');
-      const auto unit = name.find('[');
-      if (unit != std::string::npos)
-        name.insert(unit, " ");
-      return name;
-    }
-
     bool
     has_values(const Values &values)
     {
@@ -272,6 +262,18 @@ namespace fiberloom
       double           band = 0; // on each side
     };
   } // namespace
+
+
+
+  std::string
+  readable(std::string column)
+  {
+    std::replace(column.begin(), column.end(), '_', ' ');
+    const auto unit = column.find('[');
+    if (unit != std::string::npos)
+      column.insert(unit, " ");
+    return column;
+  }
 
 
 

@@ -48,11 +48,7 @@ pre { font-size: .8em; white-space: pre-wrap; }
     std::string
     number(const double value)
     {
-      if (!std::isfinite(value))
-        return "–";
-      std::ostringstream text;
-      text << std::setprecision(4) << value;
-      return text.str();
+      return std::isfinite(value) ? short_number(value) : "–";
     }
 
     std::string
@@ -170,17 +166,7 @@ pre { font-size: .8em; white-space: pre-wrap; }
         return "";
       std::vector<Cells> rows;
       for (const auto &[name, value] : summary.fabric)
-        {
-          const auto  bracket = name.find('[');
-          std::string words   = name.substr(0, bracket);
-          std::replace(words.begin(), words.end(), '_', ' ');
-          rows.push_back(
-            {words,
-             number(value),
-             bracket == std::string::npos ?
-               "" :
-               name.substr(bracket + 1, name.size() - bracket - 2)});
-        }
+        rows.push_back({readable(name), number(value)});
       return "<h2>Measures of the fabric</h2>\n" + table({}, rows);
     }
 

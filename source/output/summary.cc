@@ -126,6 +126,7 @@ namespace fiberloom
           .member("factorization", stage.seconds.factorization)
           .member("krylov", stage.seconds.krylov)
           .member("output", stage.seconds.output)
+          .member("coarse", stage.seconds.coarse)
           .member("estimate", stage.seconds.estimate)
           .str();
       const std::string error =

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
-#include <fiberloom/base/exceptions.h>
-
 #include <fiberloom/simulation/coarse_start.h>
 #include <fiberloom/simulation/refinement.h>
 #include <fiberloom/simulation/stage_run.h>
 
 #include <boost/format.hpp>
+
+#include <algorithm>
 
 namespace fiberloom
 {
@@ -18,46 +18,33 @@ namespace fiberloom
     constexpr unsigned int least_elements = 2;
 
     // Contact, too, is coarser: it needs fewer stations, and what touches
-    // changes less abruptly.
-    constexpr double softer = 4, looser = 10;
+    // changes less abruptly. Deeper than this, over the radius, fibers would
+    // no longer stay on their sides.
+    constexpr double softer = 4, looser = 10, deepest = .5;
 
-    /** Half as many elements, and softer contact; whether the scene allows it.
-     */
+    /** Half as many elements, and softer contact; whether that still shows each
+     * crossing. */
     bool
     coarsen(Parameters &parameters)
     {
-      FabricParameters &fabric = parameters.fabric;
-      if (!parameters.is_fabric() || parameters.weaving.coarser_meshes == 0 ||
-          parameters.weaving.path == "nested" ||
-          parameters.solver.loops == "nested")
-        return false;
       --parameters.weaving.coarser_meshes;
+      ContactParameters &contact = parameters.contact;
+      const double       part =
+        std::clamp(deepest / contact.largest_penetration, 1., softer);
+      contact.largest_penetration *= part;
+      contact.initial_stiffness /= part;
+      contact.line_stiffness /= part;
       // Where a fabric comes to rest does not depend on friction.
-      parameters.contact.friction_coefficient = 0;
-      parameters.contact.largest_penetration *= softer;
-      parameters.contact.initial_stiffness /= softer;
-      parameters.contact.line_stiffness /= softer;
+      contact.friction_coefficient = 0;
       parameters.solver.contact_tolerance *= looser;
+      FabricParameters &fabric = parameters.fabric;
       const auto halve = [](TowParameters &tows, const unsigned int crossed) {
         tows.elements_per_fiber = (tows.elements_per_fiber + 1) / 2;
         return tows.elements_per_fiber >= least_elements * crossed;
       };
       const bool warp = halve(fabric.warp, fabric.fill.tows),
                  fill = halve(fabric.fill, fabric.warp.tows);
-      return warp && fill;
-    }
-
-    void
-    add_cost(const StageStatistics &coarse, StageStatistics &statistics)
-    {
-      statistics.coarse_iterations +=
-        coarse.newton_iterations + coarse.coarse_iterations;
-      statistics.seconds.detection += coarse.seconds.detection;
-      statistics.seconds.assembly += coarse.seconds.assembly;
-      statistics.seconds.linear_solver += coarse.seconds.linear_solver;
-      statistics.seconds.analysis += coarse.seconds.analysis;
-      statistics.seconds.factorization += coarse.seconds.factorization;
-      statistics.seconds.krylov += coarse.seconds.krylov;
+      return parameters.is_fabric() && warp && fill;
     }
   } // namespace
 
@@ -86,26 +73,23 @@ namespace fiberloom
     const auto       stage = create_stage(name, coarse);
     State            state;
     state.q = mesh.initial();
-    try
-      {
-        StageRun run(coarse,
-                     *stage,
-                     name,
-                     generator,
-                     cost,
-                     log,
-                     comm,
-                     stop_requested,
-                     state);
-        run.run(state, [](const IncrementReport &) {});
-      }
-    catch (const StageFailure &)
-      {
-        add_cost(cost, statistics);
-        return {};
-      }
-    add_cost(cost, statistics);
-    const Refinement finer{2, 2, softer};
+    StageRun run(
+      coarse, *stage, name, generator, cost, log, comm, stop_requested, state);
+    const bool arrived = run.run_fast(state);
+    statistics.coarse_iterations +=
+      cost.newton_iterations + cost.coarse_iterations;
+    statistics.seconds.coarse += cost.seconds.wall;
+    log.write((boost::format("  %-6s on %u elements %s after %u iterations") %
+               name % mesh.n_elements() %
+               (arrived ? "comes to rest" : "does not come to rest") %
+               cost.newton_iterations)
+                .str());
+    if (!arrived)
+      return {};
+    const Refinement finer{2,
+                           2,
+                           parameters.contact.largest_penetration /
+                             scene.parameters.contact.largest_penetration};
     return Transfer(coarse, state.matrix, scene.mesh, finer)(state);
   }
 } // namespace fiberloom

@@ -106,13 +106,9 @@ namespace fiberloom
     if (!is_begun(state))
       {
         // Interrupted here, the stage has to begin anew: keep the state apart.
-        State begun = state;
-        stage.begin(begun);
-        begun.stage_start_placements = begun.placements;
-        begun.stage_start_q          = state.q;
-        begun.step                   = stage.first_step(begun);
-        const bool arrived           = take_fast_path(begun);
-        state                        = std::move(begun);
+        State      first   = begun(state);
+        const bool arrived = take_fast_path(first);
+        state              = std::move(first);
         if (arrived)
           show(state, observer);
       }
@@ -127,12 +123,38 @@ namespace fiberloom
 
 
   bool
+  StageRun::run_fast(State &state)
+  {
+    ScopedTimer timer(statistics.seconds.wall);
+    State       first = begun(state);
+    if (!take_fast_path(first))
+      return false;
+    state = std::move(first);
+    return true;
+  }
+
+
+
+  State
+  StageRun::begun(const State &state) const
+  {
+    State first = state;
+    stage.begin(first);
+    first.stage_start_placements = first.placements;
+    first.stage_start_q          = state.q;
+    first.step                   = stage.first_step(first);
+    return first;
+  }
+
+
+
+  bool
   StageRun::take_fast_path(State &state)
   {
     State found = state;
     bool  there = false;
-    // A stage that begins with the fibers where they were made.
-    if (stage.starts_coarsely() && state.stage == 0)
+    // The coarse fibers start where they are made, so these have to be there.
+    if (stage.starts_coarsely() && state.stages_done.empty())
       if (const auto coarse = start_coarsely(scene,
                                              name,
                                              statistics,
@@ -413,10 +435,10 @@ namespace fiberloom
   std::string
   StageRun::increment_line(const State &state) const
   {
-    const double done    = state.load - load_at_start;
-    const double seconds = statistics.seconds.detection +
-                           statistics.seconds.assembly +
-                           statistics.seconds.linear_solver;
+    const double done = state.load - load_at_start;
+    const double seconds =
+      statistics.seconds.detection + statistics.seconds.assembly +
+      statistics.seconds.linear_solver + statistics.seconds.coarse;
     return (boost::format("%-8s %3u  load %.4f  contact/normal/newton "
                           "%2u/%2u/%3u  contacts %6u  penetration %.4f r  "
                           "%7.1f s  remaining %7.1f s") %

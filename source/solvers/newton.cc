@@ -397,38 +397,39 @@ namespace fiberloom
                  const double   here)
   {
     ScopedTimer timer(statistics.seconds.assembly);
-    Reached     found;
-    found.factor        = longest(step);
-    const auto evaluate = [&]() {
-      found.state  = moved(state, step.increment, found.factor);
-      found.energy = energy(state, found.state, problem);
+    const auto  at = [&](const double factor) {
+      Reached there;
+      there.factor = factor;
+      there.state  = moved(state, step.increment, factor);
+      there.energy = energy(state, there.state, problem);
+      return there;
     };
+    Reached    found     = at(longest(step));
     const auto goes_down = [&]() {
       return found.energy <= here + sufficient * found.factor * step.slope ||
              (found.energy <= here + rounding * std::abs(here) &&
               slope(found.state, problem, step) <=
                 (2 * sufficient - 1) * step.slope);
     };
-    for (evaluate(); found.cuts < most_cuts && !goes_down(); ++found.cuts)
+    unsigned int cuts = 0;
+    for (; cuts < most_cuts && !goes_down(); ++cuts)
       {
         const double parabola =
           -.5 * step.slope * found.factor * found.factor /
           (found.energy - here - step.slope * found.factor);
-        found.factor *=
-          std::isfinite(parabola) ?
-            std::clamp(parabola / found.factor, shortest, longest_cut) :
-            shortest;
-        evaluate();
+        found =
+          at(found.factor *
+             (std::isfinite(parabola) ?
+                std::clamp(parabola / found.factor, shortest, longest_cut) :
+                shortest));
       }
+    found.cuts = cuts;
     // A model that is too stiff asks for too short a step.
     const double furthest = largest_move > 0 ? largest_move : 1;
-    while (found.cuts == 0 && 2 * found.factor * step.move < furthest &&
+    while (cuts == 0 && 2 * found.factor * step.move < furthest &&
            here - found.energy > -good_model * step.slope * found.factor)
       {
-        Reached longer;
-        longer.factor = 2 * found.factor;
-        longer.state  = moved(state, step.increment, longer.factor);
-        longer.energy = energy(state, longer.state, problem);
+        Reached longer = at(2 * found.factor);
         if (!(longer.energy < found.energy))
           break;
         found = std::move(longer);

@@ -93,12 +93,28 @@ namespace fiberloom
 
 
   bool
+  Weave::has_fast_path() const
+  {
+    return scene.parameters.weaving.path != "nested" &&
+           scene.parameters.solver.loops != "nested";
+  }
+
+
+
+  bool
+  Weave::starts_coarsely() const
+  {
+    return has_fast_path() && scene.parameters.weaving.coarser_meshes > 0;
+  }
+
+
+
+  bool
   Weave::take_fast_path(State       &state,
                         const State &before,
                         Equilibrium &equilibrium) const
   {
-    if (scene.parameters.weaving.path == "nested" ||
-        scene.parameters.solver.loops == "nested")
+    if (!has_fast_path())
       return false;
     state = before;
     return weave_in_one_increment(state, before, equilibrium);

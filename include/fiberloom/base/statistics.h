@@ -23,6 +23,7 @@ namespace fiberloom
     double output        = 0;
     double yardstick     = 0; // one factorisation in double precision, for
                               // comparison
+    double coarse   = 0;      // all on coarser meshes
     double wall     = 0;      // all of these and the rest
     double estimate = 0;      // of the error, afterwards
   };

@@ -37,6 +37,10 @@ namespace fiberloom
     loads(const unsigned int stage_index) const;
   };
 
+  /** A column's name in words: "force_warp[N]" as "force warp [N]". */
+  std::string
+  readable(std::string column);
+
   /**
    * The loading curve of a stage as SVG: all forces [N], or where there are
    * none all moments [N.mm], over the strain or angle that varies most, else

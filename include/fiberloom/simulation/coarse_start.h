@@ -18,8 +18,8 @@ namespace fiberloom
   /**
    * Nested iteration: the end of the stage @p name of the same fabric with half
    * as many elements, which starts from one with a quarter, and so on, carried
-   * over to the mesh of @p scene . Nothing where fewer elements would not show
-   * each crossing, none are asked for, or the stage fails on them. Throws
+   * over to the mesh of @p scene , by the stage's fast path. Nothing where
+   * fewer elements would not show each crossing or do not come to rest. Throws
    * StopRequested when @p stop_requested says so.
    */
   std::optional<State>

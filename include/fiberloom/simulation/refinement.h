@@ -34,8 +34,8 @@ namespace fiberloom
   class Transfer
   {
   public:
-    /** To the mesh @p fine of the fibers, with @p matrix as in the states;
-     * how many elements there are for one, the meshes tell. */
+    /** To the mesh @p fine of the fibers, with @p matrix as in the states. By
+     * how much elements of fibers are shorter is taken from the meshes. */
     Transfer(const Scene       &scene,
              const MatrixState &matrix,
              const FiberMesh   &fine,

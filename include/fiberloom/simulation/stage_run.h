@@ -44,6 +44,12 @@ namespace fiberloom
     void
     run(State &state, const IncrementObserver &observer);
 
+    /** From the start to the end of the stage by its fast path alone. False,
+     * with @p state as it was, where that does not lead there. Throws
+     * StopRequested on request. */
+    bool
+    run_fast(State &state);
+
     /** The state from which the last increment of the stage started; empty if
      * there was none. */
     const State &
@@ -53,6 +59,10 @@ namespace fiberloom
     }
 
   private:
+    /** @p state at the start of the stage. */
+    State
+    begun(const State &state) const;
+
     bool
     take_fast_path(State &state);
 

@@ -50,10 +50,7 @@ namespace fiberloom
                    Equilibrium &equilibrium) const override;
 
     bool
-    starts_coarsely() const override
-    {
-      return true;
-    }
+    starts_coarsely() const override;
 
     /** To the minimum of the energy without friction, then with it. */
     bool
@@ -72,6 +69,10 @@ namespace fiberloom
           const std::vector<BodyVector> &reactions) const override;
 
   private:
+    /** Whether the fast path is to be tried. */
+    bool
+    has_fast_path() const;
+
     bool
     weave_in_one_increment(State       &state,
                            const State &before,

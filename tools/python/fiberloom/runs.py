@@ -59,9 +59,12 @@ def run(scene, settings=None, *, output=None, ranks=1, restart=None):
     environment = {"OPENBLAS_NUM_THREADS": "1", **os.environ}
     done = subprocess.run(command, capture_output=True, text=True, env=environment)
     directory = Path(output) if output is not None else output_directory(command, environment)
-    results = Results(directory) if directory and (directory / "summary.json").exists() else None
+    # Bad input leaves the directory as it was, with what another run may have written there.
+    written = done.returncode != 1 and directory and (directory / "summary.json").exists()
+    results = Results(directory) if written else None
     if done.returncode:
-        raise RunFailed(done.returncode, done.stderr.strip(), results)
+        own = [line for line in done.stderr.splitlines() if line.startswith("fiberloom: ")]  # mpirun adds lines
+        raise RunFailed(done.returncode, own[0] if own else done.stderr.strip(), results)
     return results
 
 

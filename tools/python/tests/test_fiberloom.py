@@ -24,9 +24,9 @@ def test_run_tells_what_it_wrote(woven):
     assert woven.curve("relax")["thickness[mm]"].iloc[-1] == pytest.approx(woven.fabric["thickness[mm]"], rel=.1)
 
 
-def test_bad_input_is_told(tmp_path):
+def test_bad_input_is_told(woven):
     with pytest.raises(fiberloom.RunFailed) as failure:
-        fiberloom.run(SCENE, {"Fabric/Pattern": "plaid"}, output=tmp_path)
+        fiberloom.run(SCENE, {"Fabric/Pattern": "plaid"}, output=woven.directory)
     assert failure.value.status == 1 and "plaid" in failure.value.message
     assert failure.value.results is None
 
