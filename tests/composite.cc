@@ -14,6 +14,8 @@
 
 #include <fiberloom/simulation/refinement.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <fstream>
 
 #include "checks.h"

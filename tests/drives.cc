@@ -9,6 +9,8 @@
 
 #include <fiberloom/fabric/fabric_parameters.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <fstream>
 #include <iomanip>
 #include <map>

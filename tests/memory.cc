@@ -6,6 +6,8 @@
 
 #include <fiberloom/base/memory.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <sys/resource.h>
 
 #include <cmath>

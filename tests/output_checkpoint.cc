@@ -11,6 +11,8 @@
 #include <fiberloom/output/checkpoint.h>
 #include <fiberloom/output/files.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <boost/crc.hpp>
 
 #include <sys/resource.h>

@@ -6,6 +6,8 @@
 
 #include <fiberloom/output/summary.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <boost/property_tree/json_parser.hpp>
 
 #include <cmath>

@@ -10,6 +10,8 @@
 #include <fiberloom/output/files.h>
 #include <fiberloom/output/writer.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <sys/resource.h>
 #include <unistd.h>
 

@@ -52,8 +52,7 @@ namespace
                              .sin()
                              .matrix()),
                   {},
-                  static_cast<unsigned int>(
-                    system.layout().owned_dofs().n_elements())};
+                  static_cast<unsigned int>(system.layout().n_owned_dofs())};
 
     std::vector<double> solution;
     LinearSolver(system, "double factor")

@@ -9,6 +9,8 @@
 
 #include <fiberloom/simulation/stage_run.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <fstream>
 
 #include "checks.h"

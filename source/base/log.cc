@@ -4,6 +4,8 @@
 #include <fiberloom/base/exceptions.h>
 #include <fiberloom/base/log.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <fcntl.h>
 #include <unistd.h>
 

@@ -3,6 +3,7 @@
 
 #include <fiberloom/base/memory.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <boost/algorithm/string/predicate.hpp>

@@ -4,6 +4,8 @@
 #include <fiberloom/base/exceptions.h>
 #include <fiberloom/base/parsed_functions.h>
 
+#include <deal.II/base/point.h>
+
 #include <cctype>
 #include <cmath>
 #include <iostream>

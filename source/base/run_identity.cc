@@ -3,6 +3,8 @@
 
 #include <fiberloom/base/run_identity.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/trim.hpp>
 #include <boost/format.hpp>

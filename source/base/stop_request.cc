@@ -3,6 +3,8 @@
 
 #include <fiberloom/base/stop_request.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <array>
 #include <csignal>
 #include <ctime>

@@ -3,6 +3,8 @@
 
 #include <fiberloom/base/vector_function.h>
 
+#include <deal.II/base/point.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>

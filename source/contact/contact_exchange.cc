@@ -3,6 +3,8 @@
 
 #include <fiberloom/contact/contact_exchange.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <numeric>
 
 namespace fiberloom

@@ -7,6 +7,8 @@
 
 #include <fiberloom/fabric/curve.h>
 
+#include <deal.II/base/point.h>
+
 #include <boost/math/tools/roots.hpp>
 
 #include <algorithm>

@@ -3,10 +3,16 @@
 
 #include <fiberloom/matrix/matrix_mesh.h>
 
+#include <deal.II/base/point.h>
 #include <deal.II/base/quadrature_lib.h>
 
+#include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/grid/grid_tools_cache.h>
+#include <deal.II/grid/tria.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
@@ -28,27 +34,48 @@ namespace fiberloom
 
 
 
+  struct MatrixMesh::Mesh
+  {
+    explicit Mesh(const unsigned int degree)
+      : fe(degree)
+      , dof_handler(triangulation)
+      , search(triangulation, mapping)
+    {}
+
+    const dealii::FE_Q<3>       fe;
+    const dealii::MappingQ1<3>  mapping;
+    dealii::Triangulation<3>    triangulation;
+    dealii::DoFHandler<3>       dof_handler; // one dof a node
+    dealii::GridTools::Cache<3> search;
+  };
+
+
+
   MatrixMesh::MatrixMesh(const LayerGeometry   &geometry,
                          const unsigned int     degree,
                          const HyperelasticLaw &law)
     : material(law)
-    , fe(degree)
-    , dof_handler(triangulation)
+    , lagrange_degree(degree)
+    , mesh(std::make_unique<Mesh>(degree))
   {
     create_cells(geometry);
-    dof_handler.distribute_dofs(fe);
+    mesh->dof_handler.distribute_dofs(mesh->fe);
 
-    std::vector<dealii::Point<3>> points(dof_handler.n_dofs());
-    dealii::DoFTools::map_dofs_to_support_points(mapping, dof_handler, points);
+    std::vector<dealii::Point<3>> points(mesh->dof_handler.n_dofs());
+    dealii::DoFTools::map_dofs_to_support_points(mesh->mapping,
+                                                 mesh->dof_handler,
+                                                 points);
     stress_free.resize(3 * points.size());
     for (unsigned int n = 0; n < points.size(); ++n)
       for (unsigned int c = 0; c < 3; ++c)
         stress_free[3 * n + c] = points[n][c];
 
     set_up_elements();
-    search =
-      std::make_unique<dealii::GridTools::Cache<3>>(triangulation, mapping);
   }
+
+
+
+  MatrixMesh::~MatrixMesh() = default;
 
 
 
@@ -87,7 +114,7 @@ namespace fiberloom
             has_flat_face[side] = has_flat_face[side] || flat;
           }
       }
-    triangulation.create_triangulation(vertices, cells, {});
+    mesh->triangulation.create_triangulation(vertices, cells, {});
   }
 
 
@@ -95,13 +122,15 @@ namespace fiberloom
   void
   MatrixMesh::set_up_elements()
   {
+    const dealii::FE_Q<3>      &fe      = mesh->fe;
+    const dealii::MappingQ1<3> &mapping = mesh->mapping;
     const dealii::QGauss<3>     rule(fe.degree + 1);
     const dealii::Quadrature<3> nodes(fe.get_unit_support_points());
     dealii::FEValues<3>         at_points(
       mapping, fe, rule, dealii::update_gradients | dealii::update_JxW_values);
     dealii::FEValues<3> at_nodes(mapping, fe, nodes, dealii::update_gradients);
-    const auto          gradients = [this](const dealii::FEValues<3> &values,
-                                  const unsigned int         n_points) {
+    const auto          gradients = [&fe](const dealii::FEValues<3> &values,
+                                 const unsigned int         n_points) {
       std::vector<HexElement::Gradients> result(
         n_points, HexElement::Gradients(fe.n_dofs_per_cell(), 3));
       for (unsigned int p = 0; p < n_points; ++p)
@@ -112,7 +141,7 @@ namespace fiberloom
     };
 
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    for (const auto &cell : dof_handler.active_cell_iterators())
+    for (const auto &cell : mesh->dof_handler.active_cell_iterators())
       {
         at_points.reinit(cell);
         at_nodes.reinit(cell);
@@ -169,13 +198,14 @@ namespace fiberloom
     const dealii::Point<3>   place(position.x(), position.y(), position.z());
     std::optional<CellPoint> found;
     for (const auto &[box, cell] :
-         search->get_cell_bounding_boxes_rtree() |
+         mesh->search.get_cell_bounding_boxes_rtree() |
            boost::geometry::index::adaptors::queried(
              boost::geometry::index::intersects(place)))
       if (!found || cell->active_cell_index() < found->cell)
         try
           {
-            const auto point = mapping.transform_real_to_unit_cell(cell, place);
+            const auto point =
+              mesh->mapping.transform_real_to_unit_cell(cell, place);
             if (dealii::GeometryInfo<3>::is_inside_unit_cell(point, 1e-10))
               found = CellPoint{cell->active_cell_index(),
                                 Vector3(point[0], point[1], point[2])};
@@ -190,7 +220,7 @@ namespace fiberloom
   Vector3
   MatrixMesh::unit_point(const unsigned int node_of_cell) const
   {
-    const auto &point = fe.get_unit_support_points()[node_of_cell];
+    const auto &point = mesh->fe.get_unit_support_points()[node_of_cell];
     return {point[0], point[1], point[2]};
   }
 
@@ -200,9 +230,10 @@ namespace fiberloom
   MatrixMesh::shape_values(const CellPoint &point) const
   {
     const Vector3      &xi = point.coordinates;
-    std::vector<double> values(fe.n_dofs_per_cell());
+    std::vector<double> values(mesh->fe.n_dofs_per_cell());
     for (unsigned int a = 0; a < values.size(); ++a)
-      values[a] = fe.shape_value(a, dealii::Point<3>(xi.x(), xi.y(), xi.z()));
+      values[a] =
+        mesh->fe.shape_value(a, dealii::Point<3>(xi.x(), xi.y(), xi.z()));
     return values;
   }
 

@@ -3,6 +3,8 @@
 
 #include <fiberloom/model/block_layout.h>
 
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/utilities.h>
 
@@ -90,17 +92,25 @@ namespace fiberloom
       first_dofs.push_back(first_dofs.back() + size);
 
     local_blocks.assign(owners.size(), -1);
-    owned_dof_set.set_size(n_dofs());
-    unsigned int local_dof = 0;
     for (unsigned int block = 0; block < owners.size(); ++block)
       if (owners[block] == rank)
         {
           local_blocks[block] = owned.size();
           owned.push_back(block);
-          local_first_dofs.push_back(local_dof);
-          local_dof += size(block);
-          owned_dof_set.add_range(first_dof(block), first_dofs[block + 1]);
+          local_first_dofs.push_back(n_own_dofs);
+          n_own_dofs += size(block);
         }
-    owned_dof_set.compress();
+  }
+
+
+
+  dealii::IndexSet
+  BlockLayout::owned_dofs() const
+  {
+    dealii::IndexSet dofs(n_dofs());
+    for (const unsigned int block : owned)
+      dofs.add_range(first_dof(block), first_dofs[block + 1]);
+    dofs.compress();
+    return dofs;
   }
 } // namespace fiberloom

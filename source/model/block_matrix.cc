@@ -4,6 +4,7 @@
 #include <fiberloom/model/block_matrix.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
 
 #include <Epetra_MultiVector.h>
@@ -31,6 +32,15 @@ namespace fiberloom
     , owned_map(
         layout.owned_dofs().make_trilinos_map(layout.communicator(), false))
   {}
+
+
+
+  std::size_t
+  BlockMatrix::n_exchanged() const
+  {
+    const std::size_t own = importer ? importer->NumRemoteIDs() : 0;
+    return dealii::Utilities::MPI::sum(own, numbering.communicator());
+  }
 
 
 

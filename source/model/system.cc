@@ -5,6 +5,7 @@
 #include <fiberloom/model/held_nodes.h>
 #include <fiberloom/model/scatter.h>
 
+#include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
 
 #include <Epetra_LocalMap.h>
@@ -83,7 +84,7 @@ namespace fiberloom
                     matrix_weight(composite, mesh))
     , stiffness(mesh.smallest_stiffness())
     , element_pattern(numbering.owned_blocks().size())
-    , residual(numbering.owned_dofs().n_elements())
+    , residual(numbering.n_owned_dofs())
     , rhs(residual.size())
     , body_reactions(supports.bodies.size(), BodyVector::Zero())
     , pending(numbering.n_dofs(), 0.)

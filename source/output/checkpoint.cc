@@ -8,6 +8,8 @@
 #include <fiberloom/output/checkpoint_archive.h>
 #include <fiberloom/output/files.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/archive/impl/archive_serializer_map.ipp>
 #include <boost/archive/impl/basic_binary_iarchive.ipp>

@@ -5,6 +5,7 @@
 
 #include <fiberloom/output/directory_lock.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <fcntl.h>

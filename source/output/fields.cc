@@ -5,6 +5,8 @@
 #include <fiberloom/output/files.h>
 #include <fiberloom/output/xml_content.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>

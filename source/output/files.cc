@@ -6,6 +6,8 @@
 
 #include <fiberloom/output/files.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <fcntl.h>
 #include <unistd.h>
 

@@ -4,6 +4,7 @@
 #include <fiberloom/output/increment_table.h>
 #include <fiberloom/output/summary.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <cmath>

@@ -15,6 +15,8 @@
 #include <fiberloom/output/weave_picture.h>
 #include <fiberloom/output/writer.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <vtkObject.h>
 
 #include <algorithm>

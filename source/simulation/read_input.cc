@@ -8,6 +8,8 @@
 
 #include <fiberloom/simulation/read_input.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <iostream>
 #include <sstream>
 

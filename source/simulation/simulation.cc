@@ -15,6 +15,8 @@
 #include <fiberloom/simulation/simulation.h>
 #include <fiberloom/simulation/stage_run.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <boost/format.hpp>
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include <fiberloom/solvers/direct_factor.h>
 #include <fiberloom/solvers/rigid_sections.h>
 
+#include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
 
 #include <dmumps_c.h>
@@ -370,18 +371,15 @@ namespace fiberloom
     void
     solve(const BlockLayout &layout, double *owned_values) override
     {
-      const auto &owned = layout.owned_dofs();
-      const auto  counts =
-        dealii::Utilities::MPI::gather(comm,
-                                       static_cast<int>(owned.n_elements()),
-                                       0);
+      const int  n_owned = layout.n_owned_dofs();
+      const auto counts  = dealii::Utilities::MPI::gather(comm, n_owned, 0);
       std::vector<int> begins(counts.size(), 0);
       for (unsigned int r = 1; r < counts.size(); ++r)
         begins[r] = begins[r - 1] + counts[r - 1];
 
       std::vector<double> all(rank == 0 ? layout.n_dofs() : 0);
       MPI_Gatherv(owned_values,
-                  owned.n_elements(),
+                  n_owned,
                   MPI_DOUBLE,
                   all.data(),
                   counts.data(),
@@ -410,7 +408,7 @@ namespace fiberloom
                    begins.data(),
                    MPI_DOUBLE,
                    owned_values,
-                   owned.n_elements(),
+                   n_owned,
                    MPI_DOUBLE,
                    0,
                    comm);

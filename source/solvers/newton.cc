@@ -7,6 +7,8 @@
 
 #include <fiberloom/solvers/newton.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 

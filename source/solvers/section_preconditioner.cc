@@ -3,6 +3,8 @@
 
 #include <fiberloom/solvers/section_preconditioner.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <Eigen/Cholesky>
 
 #include <Epetra_MultiVector.h>
@@ -84,7 +86,7 @@ namespace fiberloom
     const BlockLayout  &full   = matrix->layout();
     const BlockLayout  &motion = sections.layout();
     const unsigned int  n      = full.owned_blocks().size();
-    std::vector<double> moves(motion.owned_dofs().n_elements());
+    std::vector<double> moves(motion.n_owned_dofs());
     Epetra_MultiVector  moved(x.Map(), 1), left(x.Map(), 1);
     const auto          node = [&](double *values, const unsigned int row) {
       return Eigen::Map<Node>(values + full.local_first_dof(row));

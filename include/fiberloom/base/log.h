@@ -6,7 +6,7 @@
 
 #include <fiberloom/base/file_descriptor.h>
 
-#include <deal.II/base/mpi.h>
+#include <mpi.h>
 
 #include <memory>
 #include <string>

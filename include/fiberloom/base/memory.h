@@ -4,7 +4,7 @@
 #ifndef fiberloom_base_memory_h
 #define fiberloom_base_memory_h
 
-#include <deal.II/base/mpi.h>
+#include <mpi.h>
 
 #include <string>
 

@@ -6,7 +6,7 @@
 
 #include <fiberloom/base/parameters.h>
 
-#include <deal.II/base/mpi.h>
+#include <mpi.h>
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 #ifndef fiberloom_base_stop_request_h
 #define fiberloom_base_stop_request_h
 
-#include <deal.II/base/mpi.h>
+#include <mpi.h>
 
 #include <chrono>
 #include <string>

@@ -7,7 +7,7 @@
 #include <fiberloom/contact/contact_element.h>
 #include <fiberloom/contact/contact_state.h>
 
-#include <deal.II/base/mpi.h>
+#include <mpi.h>
 
 #include <cstddef>
 #include <utility>

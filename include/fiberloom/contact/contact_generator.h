@@ -9,7 +9,7 @@
 #include <fiberloom/contact/proximity_search.h>
 #include <fiberloom/contact/proximity_zones.h>
 
-#include <deal.II/base/mpi.h>
+#include <mpi.h>
 
 #include <optional>
 #include <vector>

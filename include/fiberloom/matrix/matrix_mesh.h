@@ -7,12 +7,6 @@
 #include <fiberloom/matrix/hex_element.h>
 #include <fiberloom/matrix/layer_geometry.h>
 
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/mapping_q1.h>
-#include <deal.II/grid/grid_tools_cache.h>
-#include <deal.II/grid/tria.h>
-
 #include <array>
 #include <memory>
 #include <optional>
@@ -52,6 +46,7 @@ namespace fiberloom
     MatrixMesh(const LayerGeometry   &geometry,
                const unsigned int     degree,
                const HyperelasticLaw &law);
+    ~MatrixMesh();
 
     unsigned int
     n_nodes() const
@@ -88,7 +83,7 @@ namespace fiberloom
     unsigned int
     degree() const
     {
-      return fe.degree;
+      return lagrange_degree;
     }
 
     const HyperelasticLaw &
@@ -139,6 +134,9 @@ namespace fiberloom
     cell_positions(const Eigen::VectorXd &x, const unsigned int cell) const;
 
   private:
+    /** What deal.II keeps of the mesh. */
+    struct Mesh;
+
     void
     create_cells(const LayerGeometry &geometry);
 
@@ -146,16 +144,13 @@ namespace fiberloom
     set_up_elements();
 
     const HyperelasticLaw                  material;
-    const dealii::FE_Q<3>                  fe;
-    const dealii::MappingQ1<3>             mapping;
-    dealii::Triangulation<3>               triangulation;
-    dealii::DoFHandler<3>                  dof_handler; // one dof a node
+    const unsigned int                     lagrange_degree;
+    const std::unique_ptr<Mesh>            mesh;
     std::array<bool, 2>                    has_flat_face{{false, false}};
     Eigen::VectorXd                        stress_free;
     std::vector<std::vector<unsigned int>> cell_nodes;
     std::vector<HexElement>                elements;
     std::vector<std::vector<HexElement::Gradients>> node_gradients;
-    std::unique_ptr<dealii::GridTools::Cache<3>>    search;
     double                                          volume = 0; // [mm^3]
     double                                          slope  = 0; // [mm]
   };

@@ -6,10 +6,14 @@
 
 #include <fiberloom/beams/fiber_mesh.h>
 
-#include <deal.II/base/index_set.h>
-#include <deal.II/base/mpi.h>
+#include <mpi.h>
 
 #include <vector>
+
+namespace dealii
+{
+  class IndexSet;
+}
 
 namespace fiberloom
 {
@@ -105,11 +109,14 @@ namespace fiberloom
       return local_first_dofs[local_block];
     }
 
-    const dealii::IndexSet &
-    owned_dofs() const
+    unsigned int
+    n_owned_dofs() const
     {
-      return owned_dof_set;
+      return n_own_dofs;
     }
+
+    dealii::IndexSet
+    owned_dofs() const;
 
     MPI_Comm
     communicator() const
@@ -126,7 +133,7 @@ namespace fiberloom
     unsigned int              n_all_nodes;
     std::vector<unsigned int> first_dofs, owners, owned, local_first_dofs;
     std::vector<int>          local_blocks;
-    dealii::IndexSet          owned_dof_set;
+    unsigned int              n_own_dofs = 0;
   };
 } // namespace fiberloom
 

@@ -6,13 +6,12 @@
 
 #include <fiberloom/model/block_layout.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <Eigen/Core>
 
 #include <Epetra_Import.h>
 #include <Epetra_Map.h>
 #include <Epetra_Operator.h>
+#include <mpi.h>
 
 #include <array>
 #include <memory>
@@ -122,11 +121,7 @@ namespace fiberloom
     /** Values that a product needs from other ranks, summed over all of them.
      * Collective. */
     std::size_t
-    n_exchanged() const
-    {
-      const std::size_t own = importer ? importer->NumRemoteIDs() : 0;
-      return dealii::Utilities::MPI::sum(own, numbering.communicator());
-    }
+    n_exchanged() const;
 
     int
     Apply(const Epetra_MultiVector &x, Epetra_MultiVector &y) const override;

@@ -15,7 +15,7 @@
 
 #include <fiberloom/output/fields.h>
 
-#include <deal.II/base/mpi.h>
+#include <mpi.h>
 
 #include <cstdint>
 #include <map>

@@ -4,7 +4,7 @@
 #ifndef fiberloom_output_fields_h
 #define fiberloom_output_fields_h
 
-#include <deal.II/base/mpi.h>
+#include <mpi.h>
 
 #include <string>
 #include <utility>

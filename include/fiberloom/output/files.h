@@ -4,7 +4,7 @@
 #ifndef fiberloom_output_files_h
 #define fiberloom_output_files_h
 
-#include <deal.II/base/mpi.h>
+#include <mpi.h>
 
 #include <functional>
 #include <string>

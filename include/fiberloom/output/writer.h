@@ -23,7 +23,7 @@
 #include <fiberloom/output/report.h>
 #include <fiberloom/output/summary.h>
 
-#include <deal.II/base/mpi.h>
+#include <mpi.h>
 
 #include <array>
 #include <string>

@@ -8,7 +8,7 @@
 
 #include <fiberloom/stages/stage.h>
 
-#include <deal.II/base/mpi.h>
+#include <mpi.h>
 
 #include <functional>
 #include <string>

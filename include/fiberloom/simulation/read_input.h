@@ -7,7 +7,7 @@
 #include <fiberloom/base/command_line.h>
 #include <fiberloom/base/parameters.h>
 
-#include <deal.II/base/mpi.h>
+#include <mpi.h>
 
 namespace fiberloom
 {
