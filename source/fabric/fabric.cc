@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -239,8 +240,9 @@ namespace fiberloom
     if (const FabricParameters &fabric = parameters.fabric; fabric.periodic)
       {
         check_periods(*set.pattern, parameters);
-        set.cell = {{fabric.fill.tows * fabric.fill.tow_spacing,
-                     fabric.warp.tows * fabric.warp.tow_spacing}};
+        set.cell =
+          std::array<double, 2>{{fabric.fill.tows * fabric.fill.tow_spacing,
+                                 fabric.warp.tows * fabric.warp.tow_spacing}};
       }
 
     const Family warp = make_family(Tow::Family::warp, parameters);
