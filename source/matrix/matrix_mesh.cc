@@ -55,7 +55,6 @@ namespace fiberloom
                          const unsigned int     degree,
                          const HyperelasticLaw &law)
     : material(law)
-    , lagrange_degree(degree)
     , mesh(std::make_unique<Mesh>(degree))
   {
     create_cells(geometry);
@@ -76,6 +75,14 @@ namespace fiberloom
 
 
   MatrixMesh::~MatrixMesh() = default;
+
+
+
+  unsigned int
+  MatrixMesh::degree() const
+  {
+    return mesh->fe.degree;
+  }
 
 
 

@@ -81,10 +81,7 @@ namespace fiberloom
     }
 
     unsigned int
-    degree() const
-    {
-      return lagrange_degree;
-    }
+    degree() const;
 
     const HyperelasticLaw &
     law() const
@@ -144,7 +141,6 @@ namespace fiberloom
     set_up_elements();
 
     const HyperelasticLaw                  material;
-    const unsigned int                     lagrange_degree;
     const std::unique_ptr<Mesh>            mesh;
     std::array<bool, 2>                    has_flat_face{{false, false}};
     Eigen::VectorXd                        stress_free;
