@@ -351,10 +351,11 @@ namespace fiberloom
                     "Of the nested loops, and where nothing touches: number of "
                     "Newton iterations after which the energy must decrease.",
                     Allowed::whole(1, most_iterations));
-      catalogue.add("Growth",
-                    solver.growth,
-                    "Factor by which an increment grows after an easy one.",
-                    Allowed::from_to(1, 10));
+      catalogue.add(
+        "Growth",
+        solver.growth,
+        "Factor by which an increment grows after one that was accepted.",
+        Allowed::from_to(1, 10));
       catalogue.add("Largest cuts",
                     solver.largest_cuts,
                     "How many times in a row an increment may be halved.",

@@ -21,9 +21,6 @@ namespace fiberloom
 {
   namespace
   {
-    // An increment that took at most this many Newton iterations was cheap.
-    constexpr unsigned int cheap_iterations = 25;
-
     bool
     is_begun(const State &state)
     {
@@ -204,10 +201,8 @@ namespace fiberloom
             statistics.newton_iterations - newton_before;
         if (solved)
           {
-            if (statistics.newton_iterations - newton_before <=
-                cheap_iterations)
-              found.step =
-                std::min(solver.growth * found.step, stage.largest_step());
+            found.step =
+              std::min(solver.growth * found.step, stage.largest_step());
             if (load >= 1)
               last_start = state;
             accept(state, std::move(found), load);

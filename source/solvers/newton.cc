@@ -24,42 +24,32 @@ namespace fiberloom
     // part: each balance is worth as much as the next limits are off.
     constexpr double lag_reduction = .5;
 
-    // Below this residual limits may follow within the linear system. Such a
-    // step has to leave a next one, by the same matrix, that is shorter by this
-    // part (Deuflhard 2004, 3.3), and waits for the last part of the residual
-    // where it does not.
-    constexpr double coupled_below = .03, coupled_reduction = .5,
-                     coupled_again = .3;
+    // Below this residual limits may follow within the linear system.
+    constexpr double coupled_from = .03;
 
     // Predictions of contacts that close in one iteration, and how deep over
     // the radius the step has to bring them.
     constexpr unsigned int most_predictions = 2;
     constexpr double       least_depth      = .005;
 
-    // A step with predicted contacts has to go down as this part of the one
-    // without them.
-    constexpr double least_descent = .1;
-
-    // Corrections in one iteration; below the residual steps are so short that
-    // there is nothing to correct.
+    // Corrections in one iteration.
     constexpr unsigned int most_corrections = 3;
-    constexpr double       corrected_from = 1e-3, of_corrections = 1e-3;
 
     // Armijo's rule and its bounds on the next trial. Where energies differ by
     // less than they are rounded to, slopes decide (Hager and Zhang 2005, 4.1).
-    constexpr double       sufficient = 1e-4, shortest = .1, longest_cut = .5;
-    constexpr unsigned int most_cuts = 10;
-    constexpr double       rounding  = 1e-9; // of an energy
+    constexpr double sufficient = 1e-4, shortest = .1, longest_cut = .5;
+    constexpr double rounding = 1e-9; // of an energy
+
+    // A model is poor where less than this part of what it promises comes true,
+    // and good where at most this part is missing.
+    constexpr double poor_model = .25, good_model = 1 - poor_model;
 
     // Levenberg's diagonal over E r: the least, and its change by the actual
     // over the predicted decrease, as in any trust-region method.
-    constexpr double least_damping = 1e-5, damping_growth = 4,
-                     damping_decay = .1;
-    constexpr double good_model = .75, poor_model = .25;
+    constexpr double least_damping = 1e-5, damping_change = 10;
 
     // Of the linear systems: what they leave is well below what is asked for.
-    constexpr double linear_part = .01, loosest_system = 1e-4,
-                     tightest_system = 1e-9, coupled_system = 1e-6;
+    constexpr double linear_tolerance = 1e-6;
   } // namespace
 
 
@@ -88,7 +78,8 @@ namespace fiberloom
     generated_at.resize(0);
     trusted        = true;
     damping        = 0;
-    coupled_from   = problem.rule.friction ? coupled_below : 0;
+    coupled_below  = coupled_from;
+    coupled_since  = 0;
     residual       = 1e300;
     lagged         = 0;
     limits_are_new = false;
@@ -228,9 +219,7 @@ namespace fiberloom
         std::max(least_damping, damping) * system.stiffness_scale(),
         step.solution,
         indefinite,
-        std::clamp(linear_part * increment.tolerance() / residual,
-                   tightest_system,
-                   loosest_system));
+        linear_tolerance);
     }
     add(statistics, outcome);
     if (is_exact)
@@ -268,10 +257,8 @@ namespace fiberloom
         // the step still has to go down.
         Step next;
         solve_linear(state, 0, Indefinite::shifted, next);
-        if (!(next.slope < least_descent * step.slope))
+        if (!(next.slope < 0))
           {
-            if (k == 0 && next.slope < 0)
-              other = std::move(next);
             break;
           }
         if (k == 0)
@@ -318,8 +305,8 @@ namespace fiberloom
   bool
   Newton::take_coupled_step(State &state, const Problem &problem)
   {
-    if (!(residual < coupled_from) || !limits_are_new || !is_exact ||
-        damping > 0)
+    if (!problem.rule.friction || !limits_are_new || !is_exact || damping > 0 ||
+        !(coupled_since > 0 || residual < coupled_below))
       return false;
     system.couple_limits(true);
     assemble(state, problem, Curvature::exact);
@@ -339,12 +326,13 @@ namespace fiberloom
               value = -value;
             Step next;
             if (solve_coupled(defect, next) &&
-                next.move < (1 - coupled_reduction * factor) * step.move)
+                next.move < (1 - poor_model * factor) * step.move)
               {
                 state        = std::move(there);
                 generated_at = state.q;
+                if (coupled_since == 0)
+                  coupled_since = residual;
                 residual = lagged = anew;
-                coupled_from      = 1e300;
                 trusted           = true;
                 last_factor       = factor;
                 return true;
@@ -352,7 +340,9 @@ namespace fiberloom
           }
         increment.contacts = kept;
       }
-    coupled_from = coupled_again * residual;
+    if (coupled_since > 0)
+      coupled_below = coupled_since;
+    coupled_since = 0;
     return false;
   }
 
@@ -367,7 +357,7 @@ namespace fiberloom
       ScopedTimer timer(statistics.seconds.linear_solver);
       found = linear_solver.solve_coupled(system.matrix(),
                                           right_hand_side,
-                                          coupled_system,
+                                          linear_tolerance,
                                           step.solution,
                                           outcome);
     }
@@ -414,7 +404,7 @@ namespace fiberloom
                 (2 * sufficient - 1) * step.slope);
     };
     unsigned int cuts = 0;
-    for (; cuts < most_cuts && !goes_down(); ++cuts)
+    for (; found.factor > rounding && !goes_down(); ++cuts)
       {
         const double parabola =
           -.5 * step.slope * found.factor * found.factor /
@@ -459,19 +449,17 @@ namespace fiberloom
           }
       }
     const double factor = found.factor;
-    if (residual > corrected_from)
-      found.energy =
-        correct(state, problem, *taken, factor, found.energy, found.state);
+    found.energy =
+      correct(state, problem, *taken, factor, found.energy, found.state);
 
     const double slope     = taken->slope;
     const double modelled  = std::min(1., factor);
     const double predicted = -slope * modelled * (1 - .5 * modelled);
     const double actual = predicted > 0 ? (here - found.energy) / predicted : 0;
     if (actual < poor_model || found.cuts > 1)
-      damping = std::max(damping_growth * damping, least_damping);
+      damping = std::max(damping_change * damping, least_damping);
     else if (actual > good_model && found.cuts == 0 && full == 1)
-      damping =
-        damping_decay * damping < least_damping ? 0 : damping_decay * damping;
+      damping = damping > least_damping ? damping / damping_change : 0;
     trusted          = factor >= 1 && actual > poor_model;
     last_factor      = factor;
     state.q          = std::move(found.state.q);
@@ -519,7 +507,7 @@ namespace fiberloom
         {
           ScopedTimer timer(statistics.seconds.linear_solver);
           if (!linear_solver.solve_again(
-                system.matrix(), defect, of_corrections, solution, outcome))
+                system.matrix(), defect, linear_tolerance, solution, outcome))
             break;
         }
         add(statistics, outcome);

@@ -14,14 +14,11 @@ namespace fiberloom
 {
   namespace
   {
-    // Stiffening costs iterations: where a zone is deeper than the largest
-    // penetration, all take part that are beyond this multiple of it, and do so
-    // before an increment begins.
-    constexpr double stiffened_from     = .5;
-    constexpr double largest_stiffening = 6;
-
-    // More than in proportion: the force grows with the stiffness.
-    constexpr double stiffening = 2;
+    // More than in proportion, since the force grows with the stiffness. And
+    // stiffening costs iterations: where a zone is deeper than the largest
+    // penetration, all take part that would be next, and do so before an
+    // increment begins.
+    constexpr double stiffening = 2, largest_stiffening = 6;
 
     // Of a line penalty over Young's modulus: that of a fiber's own section.
     constexpr double stiffness_of_section = dealii::numbers::PI_4;
@@ -113,7 +110,7 @@ namespace fiberloom
 
     bool changed = false;
     for (unsigned int z = 0; z < zones.size(); ++z)
-      if (depths[z] > stiffened_from * target)
+      if (stiffening * depths[z] > target)
         {
           zones[z].stiffness *=
             std::min(stiffening * depths[z] / target, largest_stiffening);

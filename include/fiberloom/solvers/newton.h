@@ -179,7 +179,8 @@ namespace fiberloom
     double              residual       = 0;    // over its scale
     double              lagged         = 0; // that, when limits were last set
     bool                limits_are_new = false; // of friction, at this state
-    double              coupled_from   = 0;
+    double              coupled_below  = 0; // this residual limits may follow
+    double              coupled_since  = 0; // this one they do; 0: they lag
     double              last_factor    = 1;
     int                 last_negative_pivots = 0;
   };
