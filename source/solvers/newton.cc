@@ -258,9 +258,7 @@ namespace fiberloom
         Step next;
         solve_linear(state, 0, Indefinite::shifted, next);
         if (!(next.slope < 0))
-          {
-            break;
-          }
+          break;
         if (k == 0)
           other = std::move(step);
         step = std::move(next);
@@ -440,7 +438,7 @@ namespace fiberloom
     const Step  *taken = &step;
     if (found.factor < shortest && other.move > 0)
       {
-        // Contacts close on the way, and other ones than predicted.
+        // Other contacts close on the way than predicted.
         Reached instead = search(state, problem, other, here);
         if (instead.energy < found.energy)
           {

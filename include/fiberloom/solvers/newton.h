@@ -172,7 +172,7 @@ namespace fiberloom
 
     DofVector           generated_at;
     std::vector<double> gradient; // with the sign of a right hand side
-    Step                other;    // with or without contacts that are to close
+    Step                other;    // without contacts that are to close
     bool                is_exact       = true; // the tangent of this iteration
     bool                trusted        = true; // the model of the last one
     double              damping        = 0;    // over E r
