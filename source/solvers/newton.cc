@@ -24,9 +24,6 @@ namespace fiberloom
     // part: each balance is worth as much as the next limits are off.
     constexpr double lag_reduction = .5;
 
-    // Below this residual limits may follow within the linear system.
-    constexpr double coupled_from = .03;
-
     // Predictions of contacts that close in one iteration, and how deep over
     // the radius the step has to bring them.
     constexpr unsigned int most_predictions = 2;
@@ -78,7 +75,7 @@ namespace fiberloom
     generated_at.resize(0);
     trusted        = true;
     damping        = 0;
-    coupled_below  = coupled_from;
+    coupled_below  = 1e300;
     coupled_since  = 0;
     residual       = 1e300;
     lagged         = 0;

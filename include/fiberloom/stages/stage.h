@@ -38,7 +38,7 @@ namespace fiberloom
     CurveRow                           curve;
     const StageStatistics             &statistics; // of the stage so far
     bool                               last;       // of the stage
-    const Composite                   *composite;  // null without matrix
+    const Composite *composite = nullptr;          // null without matrix
   };
 
   /** What every stage is made from. */
