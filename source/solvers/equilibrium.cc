@@ -16,26 +16,13 @@ namespace fiberloom
 {
   namespace
   {
-    // Zones are stiffened, and balance is found again, at most so many times.
-    constexpr unsigned int most_stiffenings = 20;
+    // Of the linear systems: Newton's method converges by exact steps, a damped
+    // one does not.
+    constexpr double exact_linear = 1e-9, damped_linear = 1e-4;
 
-    // Inner tolerance: a tenth of what the outer loop still has to remove.
-    constexpr double inner_reduction = .1, loosest_inner = .02,
-                     tightest_inner = 1e-5;
+    // Where the tangent is not positive definite, on its diagonal over E r.
+    constexpr double first_shift = 1e-4;
 
-    // Of the linear systems: what they leave is well below what is allowed.
-    constexpr double linear_reduction = .01, loosest_linear = 1e-4,
-                     tightest_linear = 1e-9;
-
-    // A loop on normals that does not even contract by this in so many passes.
-    constexpr double       slow_ratio  = .5;
-    constexpr unsigned int slow_passes = 4;
-
-    // As the allowed overlap shrinks, the energy has to rise at first.
-    constexpr unsigned int shrinking_search_from = 2;
-
-    constexpr double       diverged      = 1e8;
-    constexpr double       shift_over_Er = 1e-4, shift_over_damping = 8;
     constexpr unsigned int largest_halvings = 8;
   } // namespace
 
@@ -68,14 +55,6 @@ namespace fiberloom
 
 
   double
-  Equilibrium::tightest() const
-  {
-    return std::min(tightest_inner, increment.tolerance());
-  }
-
-
-
-  double
   Equilibrium::search_along(const State           &state,
                             const Problem         &problem,
                             const Eigen::VectorXd &step,
@@ -102,7 +81,6 @@ namespace fiberloom
   Equilibrium::Step
   Equilibrium::newton_step(State         &state,
                            const Problem &problem,
-                           const double   tolerance,
                            const double   damping,
                            const bool     search_line)
   {
@@ -111,21 +89,15 @@ namespace fiberloom
     const double residual = system.residual_norm() / scale;
     const bool   moves    = system.motion().moves(state, problem.targets);
     watch({residual, damping, last_factor});
-    const double allowed = std::max(tolerance, system.rounding_force() / scale);
+    const double allowed =
+      std::max(increment.tolerance(), system.rounding_force() / scale);
     if (!moves && residual < allowed)
       {
         folded = mesh.is_folded(state.q);
         return folded ? Step::failed : Step::converged;
       }
-    if (!(residual < diverged))
+    if (!std::isfinite(residual))
       return Step::failed;
-    // Newton's method converges by exact steps, a damped one does not; and
-    // prescribed increments stand beside forces on the right hand side.
-    const double linear_tolerance =
-      moves || damping == 0 ? tightest_linear :
-                              std::clamp(linear_reduction * allowed / residual,
-                                         tightest_linear,
-                                         loosest_linear);
 
     // Without one, neither its curvature nor its decrease says anything.
     const bool            has_potential = system.has_potential(problem.targets);
@@ -133,18 +105,18 @@ namespace fiberloom
     LinearSolver::Outcome outcome;
     {
       ScopedTimer timer(statistics.seconds.linear_solver);
-      outcome = linear_solver.solve(
-        system.matrix(),
-        state.q,
-        system.right_hand_side(),
-        std::vector<double>(system.layout().n_blocks(),
-                            damping * system.stiffness_scale()),
-        std::max(shift_over_Er, shift_over_damping * damping) *
-          system.stiffness_scale(),
-        solution,
-        has_potential ? LinearSolver::Indefinite::shifted :
-                        LinearSolver::Indefinite::accepted,
-        linear_tolerance);
+      outcome =
+        linear_solver.solve(system.matrix(),
+                            state.q,
+                            system.right_hand_side(),
+                            std::vector<double>(system.layout().n_blocks(),
+                                                damping *
+                                                  system.stiffness_scale()),
+                            first_shift * system.stiffness_scale(),
+                            solution,
+                            has_potential ? LinearSolver::Indefinite::shifted :
+                                            LinearSolver::Indefinite::accepted,
+                            damping > 0 ? damped_linear : exact_linear);
     }
     ++statistics.newton_iterations;
     add(statistics, outcome);
@@ -179,19 +151,12 @@ namespace fiberloom
 
 
   bool
-  Equilibrium::newton(State         &state,
-                      const Problem &problem,
-                      const double   tolerance)
+  Equilibrium::newton(State &state, const Problem &problem)
   {
     for (unsigned int i = 0; i < parameters.solver.largest_newton_iterations;
          ++i)
-      // Contacts that close on the way are the scale from then on: what was
-      // asked for without them would be beyond rounding.
-      switch (newton_step(state,
-                          problem,
-                          std::max(tolerance, tightest()),
-                          0,
-                          i >= parameters.solver.line_search_from))
+      switch (
+        newton_step(state, problem, 0, i >= parameters.solver.line_search_from))
         {
           case Step::converged:
             return true;
@@ -290,7 +255,7 @@ namespace fiberloom
       return false;
     if (increment.contacts.empty())
       {
-        if (!newton(state, problem, increment.tolerance()))
+        if (!newton(state, problem))
           return false;
         // What moved without contact may have come to touch.
         increment.generate(state, following);
@@ -307,12 +272,10 @@ namespace fiberloom
   {
     Problem following            = problem;
     following.rule.points_follow = true;
-    for (unsigned int k = 0; k < most_stiffenings; ++k)
+    while (by_newton.solve(state,
+                           following,
+                           parameters.solver.largest_loop_iterations))
       {
-        if (!by_newton.solve(state,
-                             following,
-                             parameters.solver.largest_loop_iterations))
-          return false;
         last_negative_pivots = by_newton.negative_pivots();
         folded               = mesh.is_folded(state.q);
         if (folded)
@@ -360,7 +323,7 @@ namespace fiberloom
   {
     increment.generate(state, problem);
     if (increment.contacts.empty())
-      return newton(state, problem, increment.tolerance());
+      return newton(state, problem);
     return by_newton.solve(state, problem, n);
   }
 
@@ -374,8 +337,7 @@ namespace fiberloom
       {
         if (pass > 0)
           increment.generate(state, problem);
-        bool                settled = false;
-        std::vector<double> residuals; // of the passes on normals
+        bool settled = false;
         for (unsigned int normals = 0;
              normals < parameters.solver.largest_normal_passes && !settled;
              ++normals)
@@ -392,18 +354,7 @@ namespace fiberloom
                   return true;
                 break;
               }
-            residuals.push_back(residual);
-            if (normals > slow_passes &&
-                residual > slow_ratio * residuals[normals - slow_passes])
-              return false;
-
-            double inner = increment.tolerance();
-            if (!increment.contacts.empty() &&
-                !system.motion().moves(state, problem.targets))
-              inner = std::clamp(inner_reduction * residual,
-                                 tightest(),
-                                 loosest_inner);
-            if (!newton(state, problem, inner))
+            if (!newton(state, problem))
               return false;
           }
         if (!settled)
@@ -432,11 +383,7 @@ namespace fiberloom
     for (unsigned int i = 0; i < n; ++i)
       {
         increment.generate(state, problem);
-        if (newton_step(state,
-                        problem,
-                        increment.tolerance(),
-                        damping,
-                        i >= shrinking_search_from) != Step::moved)
+        if (newton_step(state, problem, damping, true) != Step::moved)
           return;
       }
   }

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/parameters.h>
+#include <fiberloom/base/rounding.h>
 #include <fiberloom/base/scoped_timer.h>
 
 #include <fiberloom/solvers/increment.h>
@@ -24,7 +25,7 @@ namespace fiberloom
       const ContactElement *nearest = nullptr;
       double distance = contact.following == ContactElement::Points::closest ?
                           .5 :
-                          1e-9; // in elements
+                          rounding; // in elements
       for (auto other = std::lower_bound(contacts.begin(),
                                          contacts.end(),
                                          contact.fibers,
@@ -167,7 +168,7 @@ namespace fiberloom
     // left.
     const double floor =
       std::max({problem.least_scale,
-                1e-9 * system.stiffness_scale() * mesh.smallest_radius(),
+                rounding * system.stiffness_scale() * mesh.smallest_radius(),
                 system.rounding_force() / tolerance()});
     double largest = 0;
     for (const ContactElement &contact : contacts)

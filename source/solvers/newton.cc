@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/base/rounding.h>
 #include <fiberloom/base/scoped_timer.h>
 
 #include <fiberloom/contact/contact_potential.h>
@@ -29,21 +30,19 @@ namespace fiberloom
     constexpr unsigned int most_predictions = 2;
     constexpr double       least_depth      = .005;
 
-    // Corrections in one iteration.
+    // Corrections around one factor, of each kind.
     constexpr unsigned int most_corrections = 3;
 
-    // Armijo's rule and its bounds on the next trial. Where energies differ by
-    // less than they are rounded to, slopes decide (Hager and Zhang 2005, 4.1).
-    constexpr double sufficient = 1e-4, shortest = .1, longest_cut = .5;
-    constexpr double rounding = 1e-9; // of an energy
+    // From one trial to the next neither the length of a step nor Levenberg's
+    // diagonal changes by more than this; a cut is at least by half.
+    constexpr double largest_change = 10, longest_cut = .5;
 
     // A model is poor where less than this part of what it promises comes true,
     // and good where at most this part is missing.
     constexpr double poor_model = .25, good_model = 1 - poor_model;
 
-    // Levenberg's diagonal over E r: the least, and its change by the actual
-    // over the predicted decrease, as in any trust-region method.
-    constexpr double least_damping = 1e-5, damping_change = 10;
+    // Levenberg's least diagonal, over E r.
+    constexpr double least_damping = 1e-5;
 
     // Of the linear systems: what they leave is well below what is asked for.
     constexpr double linear_tolerance = 1e-6;
@@ -311,27 +310,21 @@ namespace fiberloom
       {
         const auto kept   = increment.contacts;
         double     factor = std::min(1., stale_after / step.move);
-        for (; factor > shortest; factor *= longest_cut)
+        for (; factor > 1 / largest_change; factor *= longest_cut)
           {
-            State there = state;
-            system.motion().advance(there, step.increment, factor);
-            const double        anew   = increment.measure_anew(there, problem);
-            std::vector<double> defect = system.free_residual();
-            for (double &value : defect)
-              value = -value;
-            Step next;
-            if (solve_coupled(defect, next) &&
-                next.move < (1 - poor_model * factor) * step.move)
-              {
-                state        = std::move(there);
-                generated_at = state.q;
-                if (coupled_since == 0)
-                  coupled_since = residual;
-                residual = lagged = anew;
-                trusted           = true;
-                last_factor       = factor;
-                return true;
-              }
+            CoupledStep there;
+            there.state = state;
+            if (!reach_coupled(there, problem, step, factor))
+              continue;
+            correct_coupled(there, problem);
+            state        = std::move(there.state);
+            generated_at = state.q;
+            if (coupled_since == 0)
+              coupled_since = residual;
+            residual = lagged = there.residual;
+            trusted           = true;
+            last_factor       = factor;
+            return true;
           }
         increment.contacts = kept;
       }
@@ -339,6 +332,45 @@ namespace fiberloom
       coupled_below = coupled_since;
     coupled_since = 0;
     return false;
+  }
+
+
+
+  bool
+  Newton::reach_coupled(CoupledStep   &there,
+                        const Problem &problem,
+                        const Step    &step,
+                        const double   factor)
+  {
+    system.motion().advance(there.state, step.increment, factor);
+    there.residual             = increment.measure_anew(there.state, problem);
+    std::vector<double> defect = system.free_residual();
+    for (double &value : defect)
+      value = -value;
+    return solve_coupled(defect, there.next) &&
+           there.next.move < (1 - poor_model * factor) * step.move;
+  }
+
+
+
+  void
+  Newton::correct_coupled(CoupledStep &there, const Problem &problem)
+  {
+    for (unsigned int k = 0;
+         k < most_corrections && there.residual > increment.tolerance() &&
+         there.next.move < stale_after;
+         ++k)
+      {
+        const auto  kept = increment.contacts;
+        CoupledStep next;
+        next.state = there.state;
+        if (!reach_coupled(next, problem, there.next, 1))
+          {
+            increment.contacts = kept;
+            return;
+          }
+        there = std::move(next);
+      }
   }
 
 
@@ -393,10 +425,10 @@ namespace fiberloom
     };
     Reached    found     = at(longest(step));
     const auto goes_down = [&]() {
-      return found.energy <= here + sufficient * found.factor * step.slope ||
-             (found.energy <= here + rounding * std::abs(here) &&
-              slope(found.state, problem, step) <=
-                (2 * sufficient - 1) * step.slope);
+      // Where energies are the same but for rounding, slopes decide.
+      return std::abs(found.energy - here) <= rounding * std::abs(here) ?
+               slope(found.state, problem, step) <= -step.slope :
+               found.energy < here;
     };
     unsigned int cuts = 0;
     for (; found.factor > rounding && !goes_down(); ++cuts)
@@ -404,11 +436,11 @@ namespace fiberloom
         const double parabola =
           -.5 * step.slope * found.factor * found.factor /
           (found.energy - here - step.slope * found.factor);
-        found =
-          at(found.factor *
-             (std::isfinite(parabola) ?
-                std::clamp(parabola / found.factor, shortest, longest_cut) :
-                shortest));
+        found = at(found.factor * (std::isfinite(parabola) ?
+                                     std::clamp(parabola / found.factor,
+                                                1 / largest_change,
+                                                longest_cut) :
+                                     1 / largest_change));
       }
     found.cuts = cuts;
     // A model that is too stiff asks for too short a step.
@@ -433,7 +465,7 @@ namespace fiberloom
     const double full  = longest(step);
     Reached      found = search(state, problem, step, here);
     const Step  *taken = &step;
-    if (found.factor < shortest && other.move > 0)
+    if (found.factor < 1 / largest_change && other.move > 0)
       {
         // Other contacts close on the way than predicted.
         Reached instead = search(state, problem, other, here);
@@ -452,9 +484,9 @@ namespace fiberloom
     const double predicted = -slope * modelled * (1 - .5 * modelled);
     const double actual = predicted > 0 ? (here - found.energy) / predicted : 0;
     if (actual < poor_model || found.cuts > 1)
-      damping = std::max(damping_change * damping, least_damping);
+      damping = std::max(largest_change * damping, least_damping);
     else if (actual > good_model && found.cuts == 0 && full == 1)
-      damping = damping > least_damping ? damping / damping_change : 0;
+      damping = damping > least_damping ? damping / largest_change : 0;
     trusted          = factor >= 1 && actual > poor_model;
     last_factor      = factor;
     state.q          = std::move(found.state.q);

@@ -18,14 +18,14 @@ namespace fiberloom
     // stiffening costs iterations: where a zone is deeper than the largest
     // penetration, all take part that would be next, and do so before an
     // increment begins.
-    constexpr double stiffening = 2, largest_stiffening = 6;
+    constexpr double stiffening = 2;
 
     // Of a line penalty over Young's modulus: that of a fiber's own section.
     constexpr double stiffness_of_section = dealii::numbers::PI_4;
 
-    // Fibers deeper in each other than this multiple of the largest
-    // penetration, and than twice of what they were, have been thrown there.
-    constexpr double thrown_depth = 10;
+    // Fibers this much deeper in each other than they were, and deeper than the
+    // search sees beyond their surfaces, have been thrown there.
+    constexpr double thrown = 2;
 
     double
     depth(const ContactElement &contact)
@@ -72,8 +72,7 @@ namespace fiberloom
   void
   Penetration::remember(const std::vector<ContactElement> &contacts)
   {
-    deepest = std::max(thrown_depth * parameters.largest_penetration,
-                       2 * avoidable(contacts));
+    deepest = std::max(parameters.search_margin, thrown * avoidable(contacts));
   }
 
 
@@ -112,8 +111,7 @@ namespace fiberloom
     for (unsigned int z = 0; z < zones.size(); ++z)
       if (stiffening * depths[z] > target)
         {
-          zones[z].stiffness *=
-            std::min(stiffening * depths[z] / target, largest_stiffening);
+          zones[z].stiffness *= stiffening * depths[z] / target;
           changed = true;
         }
     return changed;

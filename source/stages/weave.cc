@@ -9,14 +9,6 @@
 
 namespace fiberloom
 {
-  namespace
-  {
-    // With contacts by distance, after the overlap has gone.
-    constexpr unsigned int frictionless_iterations = 2;
-  } // namespace
-
-
-
   Weave::Weave(const Scene &scene)
     : Stage(scene)
     , full_overlap(0)
@@ -143,7 +135,10 @@ namespace fiberloom
       }
 
     problem.rule = ContactRule();
-    equilibrium.iterate(state, problem, frictionless_iterations, damping);
+    equilibrium.iterate(state,
+                        problem,
+                        weaving.fast_iterations_per_step,
+                        damping);
     return settle(state, before, equilibrium);
   }
 

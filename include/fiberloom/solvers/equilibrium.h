@@ -126,7 +126,7 @@ namespace fiberloom
     find(State &state, const Problem &problem);
 
     bool
-    newton(State &state, const Problem &problem, const double tolerance);
+    newton(State &state, const Problem &problem);
 
     enum class Step
     {
@@ -138,7 +138,6 @@ namespace fiberloom
     Step
     newton_step(State         &state,
                 const Problem &problem,
-                const double   tolerance,
                 const double   damping,
                 const bool     search_line);
 
@@ -173,10 +172,6 @@ namespace fiberloom
     /** Of a benchmark: a factorisation of the last tangent. */
     void
     time_yardstick();
-
-    /** The tightest that Newton's method is asked for in an outer loop. */
-    double
-    tightest() const;
 
     const FiberMesh  &mesh;
     const Parameters &parameters;

@@ -82,6 +82,14 @@ namespace fiberloom
       unsigned int cuts   = 0;
     };
 
+    /** Where a step leads whose friction limits follow. */
+    struct CoupledStep
+    {
+      State  state;
+      double residual = 0; // everything generated anew, over its scale
+      Step   next;         // by the same matrix
+    };
+
     void
     refresh(State &state, const Problem &problem);
 
@@ -114,6 +122,18 @@ namespace fiberloom
      * asks for a shorter one. */
     bool
     take_coupled_step(State &state, const Problem &problem);
+
+    /** Moves @p there by @p factor times @p step ; whether its next step is
+     * shorter. */
+    bool
+    reach_coupled(CoupledStep   &there,
+                  const Problem &problem,
+                  const Step    &step,
+                  const double   factor);
+
+    /** Goes on by next steps as long as they get shorter. */
+    void
+    correct_coupled(CoupledStep &there, const Problem &problem);
 
     /** By the matrix with limits that follow; whether there is a solution. */
     bool
