@@ -21,12 +21,6 @@ namespace
 {
   using Outcome = LinearSolver::Outcome;
 
-  std::vector<double>
-  undamped(const System &system)
-  {
-    return std::vector<double>(system.layout().n_blocks(), 0.);
-  }
-
   Eigen::VectorXd
   solve(System                &system,
         const Eigen::VectorXd &q,
@@ -36,12 +30,8 @@ namespace
   {
     std::vector<double> solution;
     LinearSolver        solver(system, name);
-    outcome = solver.solve(system.matrix(),
-                           q,
-                           system.right_hand_side(),
-                           undamped(system),
-                           shift_unit,
-                           solution);
+    outcome = solver.solve(
+      system.matrix(), q, system.right_hand_side(), 0, shift_unit, solution);
     return system.gather(solution);
   }
 
@@ -140,7 +130,7 @@ namespace
         const Outcome     outcome = solver.solve(system.matrix(),
                                              model.state.q,
                                              system.right_hand_side(),
-                                             undamped(system),
+                                             0,
                                              1e-9,
                                              solution);
         const std::string which   = ", " + name + ", " + time;
@@ -170,13 +160,12 @@ namespace
     std::vector<double> solution;
     for (const double damping : {0., 0., 1e-3})
       {
-        const Outcome outcome =
-          solver.solve(system.matrix(),
-                       model.state.q,
-                       system.right_hand_side(),
-                       std::vector<double>(system.layout().n_blocks(), damping),
-                       1e-3,
-                       solution);
+        const Outcome outcome = solver.solve(system.matrix(),
+                                             model.state.q,
+                                             system.right_hand_side(),
+                                             damping,
+                                             1e-3,
+                                             solution);
         checks.equal("factorisations, damped by " + std::to_string(damping),
                      outcome.factorizations,
                      1);
@@ -240,7 +229,7 @@ namespace
         const Outcome     outcome = solver.solve(system.matrix(),
                                              model.state.q,
                                              system.right_hand_side(),
-                                             undamped(system),
+                                             0,
                                              1e-3,
                                              solution);
         const std::string name = ", contacts closed: " + std::to_string(closed);

@@ -59,7 +59,7 @@ namespace
       .solve(system.matrix(),
              model.state.q,
              system.right_hand_side(),
-             std::vector<double>(system.layout().n_blocks(), 0.),
+             0,
              1e-3 * system.stiffness_scale(),
              solution);
     result.solution = system.gather(solution);

@@ -122,6 +122,7 @@ namespace fiberloom
   BlockMatrix::set_zero()
   {
     std::fill(data.begin(), data.end(), 0.);
+    added = 0;
   }
 
 
@@ -129,17 +130,9 @@ namespace fiberloom
   void
   BlockMatrix::add_to_diagonal(const double value)
   {
-    add_to_diagonal(std::vector<double>(numbering.n_blocks(), value));
-  }
-
-
-
-  void
-  BlockMatrix::add_to_diagonal(const std::vector<double> &values)
-  {
+    added += value;
     for (const unsigned int row : numbering.owned_blocks())
       {
-        const double       value   = values[row];
         const unsigned int n       = numbering.size(row);
         double            *entries = block(row, row);
         for (unsigned int i = 0; i < n; ++i)
@@ -152,10 +145,9 @@ namespace fiberloom
 
 
   double
-  BlockMatrix::least_addition(const std::vector<double> &values) const
+  BlockMatrix::least_addition() const
   {
-    return std::min(1., matrix_weight) *
-           *std::min_element(values.begin(), values.end());
+    return std::min(1., matrix_weight) * added;
   }
 
 

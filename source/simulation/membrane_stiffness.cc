@@ -42,7 +42,7 @@ namespace fiberloom
               solver.solve(system.matrix(),
                            state.q,
                            load,
-                           std::vector<double>(layout.n_blocks(), 0.),
+                           0,
                            least_shift * system.stiffness_scale(),
                            answer,
                            LinearSolver::Indefinite::accepted,

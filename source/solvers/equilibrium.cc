@@ -109,9 +109,7 @@ namespace fiberloom
         linear_solver.solve(system.matrix(),
                             state.q,
                             system.right_hand_side(),
-                            std::vector<double>(system.layout().n_blocks(),
-                                                damping *
-                                                  system.stiffness_scale()),
+                            damping * system.stiffness_scale(),
                             first_shift * system.stiffness_scale(),
                             solution,
                             has_potential ? LinearSolver::Indefinite::shifted :

@@ -192,7 +192,7 @@ namespace fiberloom
   LinearSolver::solve(BlockMatrix               &matrix,
                       const Eigen::VectorXd     &q,
                       const std::vector<double> &right_hand_side,
-                      const std::vector<double> &damping,
+                      const double               damping,
                       const double               shift_unit,
                       std::vector<double>       &solution,
                       const Indefinite           indefinite,
@@ -200,7 +200,6 @@ namespace fiberloom
   {
     Outcome outcome;
     relative_tolerance = tolerance;
-    dropped            = dropped_over_damping * matrix.least_addition(damping);
     matrix.add_to_diagonal(damping);
 
     solution.resize(right_hand_side.size());
@@ -301,7 +300,8 @@ namespace fiberloom
       {
         if (attempt > 0)
           shift_more(matrix, attempt, shift_unit, outcome);
-        const int negative_pivots = timed(outcome, [&]() {
+        const double dropped = dropped_over_damping * matrix.least_addition();
+        const int    negative_pivots = timed(outcome, [&]() {
           return sections->factorize(matrix, dropped);
         });
         if (attempt == 0)

@@ -74,6 +74,7 @@ namespace fiberloom
     generated_at.resize(0);
     trusted        = true;
     damping        = 0;
+    shift          = 0;
     coupled_below  = 1e300;
     coupled_since  = 0;
     residual       = 1e300;
@@ -206,18 +207,18 @@ namespace fiberloom
     LinearSolver::Outcome outcome;
     {
       ScopedTimer timer(statistics.seconds.linear_solver);
-      outcome = linear_solver.solve(
-        system.matrix(),
-        state.q,
-        system.right_hand_side(),
-        std::vector<double>(system.layout().n_blocks(),
-                            damping * system.stiffness_scale()),
-        std::max(least_damping, damping) * system.stiffness_scale(),
-        step.solution,
-        indefinite,
-        linear_tolerance);
+      outcome = linear_solver.solve(system.matrix(),
+                                    state.q,
+                                    system.right_hand_side(),
+                                    damping * system.stiffness_scale(),
+                                    std::max({least_damping, damping, shift}) *
+                                      system.stiffness_scale(),
+                                    step.solution,
+                                    indefinite,
+                                    linear_tolerance);
     }
     add(statistics, outcome);
+    step.shift = outcome.shift / system.stiffness_scale();
     if (is_exact)
       last_negative_pivots = outcome.negative_pivots;
     if (outcome.negative_pivots != 0 &&
@@ -243,7 +244,12 @@ namespace fiberloom
     if (is_exact && !solve_linear(state, damping, Indefinite::refused, step))
       assemble(state, problem, Curvature::positive);
     if (!is_exact)
-      solve_linear(state, damping, Indefinite::shifted, step);
+      {
+        // What is indefinite still needs about the shift of the iteration
+        // before.
+        solve_linear(state, damping, Indefinite::shifted, step);
+        shift = step.shift;
+      }
 
     for (unsigned int k = 0; k < most_predictions && std::isfinite(step.move) &&
                              predict_closing(state, step) > 0;

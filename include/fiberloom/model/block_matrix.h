@@ -50,13 +50,9 @@ namespace fiberloom
     void
     add_to_diagonal(const double value);
 
-    /** A value for each block. */
-    void
-    add_to_diagonal(const std::vector<double> &values);
-
-    /** The least of what that adds to displacements. */
+    /** The least of what that has added to displacements since all was zero. */
     double
-    least_addition(const std::vector<double> &values) const;
+    least_addition() const;
 
     /**
      * Adds row * column^T, given on @p blocks , to products, and to nothing
@@ -196,6 +192,7 @@ namespace fiberloom
 
     const BlockLayout &numbering;
     const double       lever, matrix_weight;
+    double             added = 0; // to the diagonal
     Epetra_Map         owned_map;
     unsigned int       version = 0;
 

@@ -68,17 +68,16 @@ namespace fiberloom
 
     /**
      * @p q : where the fibers are. @p solution : the owned part, resized.
-     * @p damping , one value for each
-     * block, is added to the diagonal of @p matrix in any case, @p shift_unit
-     * is the smallest shift to be tried where that is indefinite [N/mm]. The
-     * residual is reduced to @p tolerance times the right hand side. Throws
-     * StageFailure if no shift helps.
+     * @p damping is added to the diagonal of @p matrix in any case, @p
+     * shift_unit is the smallest shift to be tried where that is indefinite
+     * [N/mm]. The residual is reduced to @p tolerance times the right hand
+     * side. Throws StageFailure if no shift helps.
      */
     Outcome
     solve(BlockMatrix               &matrix,
           const Eigen::VectorXd     &q,
           const std::vector<double> &right_hand_side,
-          const std::vector<double> &damping,
+          const double               damping,
           const double               shift_unit,
           std::vector<double>       &solution,
           const Indefinite           indefinite = Indefinite::shifted,
@@ -152,13 +151,12 @@ namespace fiberloom
                     Epetra_Vector &x,
                     Outcome       &outcome);
 
-    const System                 &system;
-    const std::string             name;
-    double                        relative_tolerance = 0;
-    double                        dropped  = 0; // by low-rank blocks [N/mm]
-    bool                          gave_way = false;
-    DirectFactor::Precision       precision;
-    std::unique_ptr<DirectFactor> factor;             // or null
+    const System                          &system;
+    const std::string                      name;
+    double                                 relative_tolerance = 0;
+    bool                                   gave_way           = false;
+    DirectFactor::Precision                precision;
+    std::unique_ptr<DirectFactor>          factor;    // or null
     std::unique_ptr<SectionPreconditioner> sections;  // or null
     std::unique_ptr<BlockPreconditioner>   blocks;    // or null
     std::unique_ptr<Multigrid>             multigrid; // or null

@@ -70,6 +70,7 @@ namespace fiberloom
       std::vector<double> solution; // of the linear system
       Eigen::VectorXd     increment;
       double              slope = 0; // of the energy along it [N mm]
+      double              shift = 0; // of the diagonal, over E r
       double              move  = 0; // largest, over the radius
     };
 
@@ -196,6 +197,7 @@ namespace fiberloom
     bool                is_exact       = true; // the tangent of this iteration
     bool                trusted        = true; // the model of the last one
     double              damping        = 0;    // over E r
+    double              shift          = 0;    // that beside, likewise
     double              residual       = 0;    // over its scale
     double              lagged         = 0; // that, when limits were last set
     bool                limits_are_new = false; // of friction, at this state
