@@ -50,6 +50,13 @@ def written(directory, *names):
 done = run(SMALL_WEAVE, "woven", "Output/Pictures=true", "Output/Slices=both")
 check("a weave is woven, relaxed and pulled", done.returncode == 0)
 summary = json.loads(written("woven", "summary.json"))
+lines = written("woven", "log.txt").decode().splitlines()
+size = summary["model"]
+check("the log says what is run, when the error is estimated, and where results are",
+      lines[1] == f"fiberloom {summary['version']}  {SMALL_WEAVE}: weave, relax, biaxial of {size['fibers']} fibers, "
+                  f"{size['fiber_dofs']} dofs, on 1 rank" and
+      any(line.startswith("biaxial  the error of its loading curve is estimated") for line in lines) and
+      lines[-1].startswith("results in woven: report.html"))
 page = Page("woven")
 check("elements are closed", page.closed_in_order and not page.open)
 check("nothing is loaded from elsewhere",

@@ -77,6 +77,7 @@ namespace fiberloom
   {
     if (!is_first_rank)
       return;
+    last_line = std::chrono::steady_clock::now();
     const std::string lines =
       text.empty() || text.back() != '\n' ? text + '\n' : text;
     std::cout << lines << std::flush;
@@ -84,6 +85,14 @@ namespace fiberloom
       write_to_file(lines);
     else
       before_open += lines;
+  }
+
+  double
+  Log::silence() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                         last_line)
+      .count();
   }
 
   void

@@ -420,10 +420,12 @@ namespace fiberloom
                     output.pictures,
                     "Whether pictures of slices, fabric and curves are drawn.",
                     Allowed::true_or_false());
-      catalogue.add("Iterations in log",
-                    output.iterations,
-                    "Whether log.txt has a line for each Newton iteration.",
-                    Allowed::true_or_false());
+      catalogue.add(
+        "Iterations in log",
+        output.iterations,
+        "Whether log.txt has a line for each Newton iteration; else the "
+        "next one has a line after ten seconds without any.",
+        Allowed::true_or_false());
       catalogue.add("Only summary",
                     output.only_summary,
                     "Whether nothing is written but log.txt and summary.json, "

@@ -4,6 +4,7 @@
 #include <fiberloom/base/exceptions.h>
 #include <fiberloom/base/memory.h>
 #include <fiberloom/base/scoped_timer.h>
+#include <fiberloom/base/version.h>
 
 #include <fiberloom/fabric/input_notes.h>
 
@@ -410,12 +411,19 @@ namespace fiberloom
     begin_output(writer, state);
     for (const std::string &note : notes)
       log.write(note);
+    log_header();
     log_what_is_left_out();
     const int status = run_stages(state, writer, stop);
     writer.write_report(command_line.file);
     log_timings(writer.stages());
     if (parameters.solver.benchmark)
       log_benchmark(writer.stages());
+    if (status == 0)
+      log.write("results in " + parameters.output_directory + ": " +
+                (parameters.output.only_summary ?
+                   "summary.json" :
+                   "report.html for a first look, .pvd files for ParaView, "
+                   "loading_curve.csv, summary.json"));
     return status;
   }
 
@@ -517,6 +525,12 @@ namespace fiberloom
                        StageStatistics &statistics,
                        StopRequest     &stop)
   {
+    const bool is_test = create_stage(statistics.name, scene)->is_test();
+    if (is_test)
+      log.write(
+        (boost::format("%-8s the error of its loading curve is estimated") %
+         statistics.name)
+          .str());
     {
       ScopedTimer timer(statistics.seconds.estimate);
       statistics.estimated_error = estimate_error(
@@ -538,7 +552,7 @@ namespace fiberloom
             "") %
          (100 * error.tolerance))
           .str());
-    else if (create_stage(statistics.name, scene)->is_test())
+    else if (is_test)
       log.write((boost::format("%-8s no estimate of the curve's error: with "
                                "finer settings nothing settles, or there is "
                                "no force") %
@@ -579,6 +593,25 @@ namespace fiberloom
         if (std::find(notes.begin(), notes.end(), note) == notes.end())
           notes.push_back(note);
     return notes;
+  }
+
+
+
+  void
+  Simulation::log_header()
+  {
+    const ModelSize size = expected_size();
+    std::string     stages;
+    for (const std::string &stage : parameters.stages)
+      stages += (stages.empty() ? "" : ", ") + stage;
+    log.write(
+      (boost::format("fiberloom %s  %s: %s of %u fibers, %u dofs, on "
+                     "%u %s") %
+       program_version() % command_line.file % stages % size.fibers %
+       (size.fiber_dofs + size.matrix_dofs) %
+       dealii::Utilities::MPI::n_mpi_processes(comm) %
+       (dealii::Utilities::MPI::n_mpi_processes(comm) == 1 ? "rank" : "ranks"))
+        .str());
   }
 
 

@@ -21,6 +21,10 @@ namespace fiberloom
 {
   namespace
   {
+    // Seconds without a line after which the next iteration has one: who waits
+    // wants to see that something happens.
+    constexpr double longest_silence = 10;
+
     bool
     is_begun(const State &state)
     {
@@ -79,7 +83,8 @@ namespace fiberloom
                   system,
                   statistics,
                   [this](const Equilibrium::Progress &progress) {
-                    if (this->scene.parameters.output.iterations)
+                    if (this->scene.parameters.output.iterations ||
+                        this->log.silence() > longest_silence)
                       this->log.write(iteration_line(progress));
                     if (this->stop_requested())
                       throw StopRequested("");

@@ -8,6 +8,7 @@
 
 #include <mpi.h>
 
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -40,6 +41,10 @@ namespace fiberloom
     void
     write(const std::string &text);
 
+    /** Seconds since the last line. */
+    double
+    silence() const;
+
     /** Bytes of log.txt so far; 0 on other ranks. */
     std::uint64_t
     size() const
@@ -52,10 +57,12 @@ namespace fiberloom
     synchronise();
 
   private:
-    const bool                      is_first_rank;
-    std::unique_ptr<FileDescriptor> file;
-    std::string                     before_open;
-    std::uint64_t                   written = 0;
+    const bool                            is_first_rank;
+    std::unique_ptr<FileDescriptor>       file;
+    std::string                           before_open;
+    std::uint64_t                         written = 0;
+    std::chrono::steady_clock::time_point last_line =
+      std::chrono::steady_clock::now();
 
     void
     write_to_file(const std::string &text);

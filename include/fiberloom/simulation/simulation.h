@@ -129,6 +129,9 @@ namespace fiberloom
     stage_notes(const State &state) const;
 
     void
+    log_header();
+
+    void
     log_what_is_left_out();
 
     void
