@@ -21,8 +21,9 @@ namespace fiberloom
    * Soft fibers slide along a curved valley between stiff ones. A step along
    * it is followed by corrections with the factor at hand, which lead back to
    * its floor, and contacts that a step would close take part in it. Where the
-   * Hessian is indefinite, that of contacts loses what makes it so. Near the
-   * end friction's limits follow the normal forces within the linear system.
+   * Hessian is indefinite, that of contacts loses what makes it so. Where they
+   * are new, friction's limits follow the normal forces within the linear
+   * system, as long as the steps that are left get shorter.
    */
   class Newton
   {
