@@ -70,6 +70,7 @@ namespace fiberloom
                       column_blocks[row].end());
       }
     data.assign(size, 0.);
+    added = 0;
 
     std::sort(needed.begin(), needed.end());
     needed.erase(std::unique(needed.begin(), needed.end()), needed.end());

@@ -270,9 +270,11 @@ namespace fiberloom
   {
     Problem following            = problem;
     following.rule.points_follow = true;
+    bool is_stiffened            = false;
     while (by_newton.solve(state,
                            following,
-                           parameters.solver.largest_loop_iterations))
+                           parameters.solver.largest_loop_iterations,
+                           is_stiffened))
       {
         last_negative_pivots = by_newton.negative_pivots();
         folded               = mesh.is_folded(state.q);
@@ -283,7 +285,9 @@ namespace fiberloom
             time_yardstick();
             return true;
           }
-        penetration.stiffen(increment.contacts, state.contact.zones);
+        is_stiffened =
+          penetration.stiffen(increment.contacts, state.contact.zones);
+        increment.generate(state, following);
       }
     return false;
   }

@@ -69,17 +69,19 @@ namespace fiberloom
 
 
   bool
-  Newton::solve(State &state, const Problem &problem, const unsigned int most)
+  Newton::solve(State             &state,
+                const Problem     &problem,
+                const unsigned int most,
+                const bool         with_new_limits)
   {
     generated_at.resize(0);
     trusted        = true;
     damping        = 0;
-    shift          = 0;
     coupled_below  = 1e300;
     coupled_since  = 0;
     residual       = 1e300;
     lagged         = 0;
-    limits_are_new = false;
+    limits_are_new = with_new_limits;
     for (unsigned int i = 0;; ++i)
       {
         refresh(state, problem);
@@ -211,14 +213,13 @@ namespace fiberloom
                                     state.q,
                                     system.right_hand_side(),
                                     damping * system.stiffness_scale(),
-                                    std::max({least_damping, damping, shift}) *
+                                    std::max(least_damping, damping) *
                                       system.stiffness_scale(),
                                     step.solution,
                                     indefinite,
                                     linear_tolerance);
     }
     add(statistics, outcome);
-    step.shift = outcome.shift / system.stiffness_scale();
     if (is_exact)
       last_negative_pivots = outcome.negative_pivots;
     if (outcome.negative_pivots != 0 &&
@@ -244,12 +245,7 @@ namespace fiberloom
     if (is_exact && !solve_linear(state, damping, Indefinite::refused, step))
       assemble(state, problem, Curvature::positive);
     if (!is_exact)
-      {
-        // What is indefinite still needs about the shift of the iteration
-        // before.
-        solve_linear(state, damping, Indefinite::shifted, step);
-        shift = step.shift;
-      }
+      solve_linear(state, damping, Indefinite::shifted, step);
 
     for (unsigned int k = 0; k < most_predictions && std::isfinite(step.move) &&
                              predict_closing(state, step) > 0;

@@ -55,7 +55,10 @@ namespace fiberloom
      * @p state spoilt, where @p most iterations do not lead there.
      */
     bool
-    solve(State &state, const Problem &problem, const unsigned int most);
+    solve(State             &state,
+          const Problem     &problem,
+          const unsigned int most,
+          const bool         with_new_limits = false);
 
     /** Of the last exact tangent; -1 if its factorisation failed. */
     int
@@ -71,7 +74,6 @@ namespace fiberloom
       std::vector<double> solution; // of the linear system
       Eigen::VectorXd     increment;
       double              slope = 0; // of the energy along it [N mm]
-      double              shift = 0; // of the diagonal, over E r
       double              move  = 0; // largest, over the radius
     };
 
@@ -198,7 +200,6 @@ namespace fiberloom
     bool                is_exact       = true; // the tangent of this iteration
     bool                trusted        = true; // the model of the last one
     double              damping        = 0;    // over E r
-    double              shift          = 0;    // that beside, likewise
     double              residual       = 0;    // over its scale
     double              lagged         = 0; // that, when limits were last set
     bool                limits_are_new = false; // of friction, at this state
