@@ -53,6 +53,7 @@ namespace fiberloom
      * contacts have been generated, to equilibrium: everything generated
      * anew, the residual is below the tolerance of the increment. False, with
      * @p state spoilt, where @p most iterations do not lead there.
+     * @p with_new_limits : those of friction are what @p state makes them.
      */
     bool
     solve(State             &state,
