@@ -406,12 +406,12 @@ namespace fiberloom
     log.open(parameters.output_directory,
              "run " + run.id,
              continues ? restart.output.log_size : 0);
+    log_header();
     OutputWriter writer(
       parameters, fibers, mesh, model_size(), run, log, comm, output_seconds);
     begin_output(writer, state);
     for (const std::string &note : notes)
       log.write(note);
-    log_header();
     log_what_is_left_out();
     const int status = run_stages(state, writer, stop);
     writer.write_report(command_line.file);

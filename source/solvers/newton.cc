@@ -35,7 +35,8 @@ namespace fiberloom
 
     // From one trial to the next neither the length of a step nor Levenberg's
     // diagonal changes by more than this; a cut is at least by half.
-    constexpr double largest_change = 10, longest_cut = .5;
+    constexpr double largest_change = 10, shortest = 1 / largest_change,
+                     longest_cut = .5;
 
     // A model is poor where less than this part of what it promises comes true,
     // and good where at most this part is missing.
@@ -312,7 +313,7 @@ namespace fiberloom
       {
         const auto kept   = increment.contacts;
         double     factor = std::min(1., stale_after / step.move);
-        for (; factor > 1 / largest_change; factor *= longest_cut)
+        for (; factor > shortest; factor *= longest_cut)
           {
             CoupledStep there;
             there.state = state;
@@ -438,11 +439,11 @@ namespace fiberloom
         const double parabola =
           -.5 * step.slope * found.factor * found.factor /
           (found.energy - here - step.slope * found.factor);
-        found = at(found.factor * (std::isfinite(parabola) ?
-                                     std::clamp(parabola / found.factor,
-                                                1 / largest_change,
-                                                longest_cut) :
-                                     1 / largest_change));
+        found =
+          at(found.factor *
+             (std::isfinite(parabola) ?
+                std::clamp(parabola / found.factor, shortest, longest_cut) :
+                shortest));
       }
     found.cuts = cuts;
     // A model that is too stiff asks for too short a step.
@@ -467,7 +468,7 @@ namespace fiberloom
     const double full  = longest(step);
     Reached      found = search(state, problem, step, here);
     const Step  *taken = &step;
-    if (found.factor < 1 / largest_change && other.move > 0)
+    if (found.factor < shortest && other.move > 0)
       {
         // Other contacts close on the way than predicted.
         Reached instead = search(state, problem, other, here);
