@@ -248,15 +248,24 @@ namespace
                  slope / residual.dot(direction) - 1,
                  1e-7);
 
-    // Twice along lines of the unknowns.
+    // Twice along lines of the unknowns: sections that turn are moved along
+    // curves.
+    const auto moved_straight = [&](const double factor) {
+      State moved = moved_by(factor);
+      for (unsigned int n = 0; n < sample.mesh.n_nodes(); ++n)
+        if (system.motion().holding_body(n) < 0)
+          moved.q.segment<9>(9 * n) = sample.state.q.segment<9>(9 * n) +
+                                      factor * direction.segment<9>(9 * n);
+      return moved;
+    };
     double error = 0;
     for (unsigned int line = 0; line < 5; ++line)
       {
         const double H = 1e-3;
         const double curvature =
-          (system.energy(moved_by(H), sample.no_contacts) -
+          (system.energy(moved_straight(H), sample.no_contacts) -
            2 * system.energy(sample.state, sample.no_contacts) +
-           system.energy(moved_by(-H), sample.no_contacts)) /
+           system.energy(moved_straight(-H), sample.no_contacts)) /
           (H * H);
         const double expected = direction.dot(multiply(system, direction));
         error = std::max(error, std::abs(curvature / expected - 1));

@@ -66,6 +66,49 @@ namespace
     return values;
   }
 
+  /** A step that turns the sections of free nodes keeps their shape, one that
+   * stretches them is as long as it says. */
+  void
+  check_sections(Checks &checks, const SampleModel &model, const System &system)
+  {
+    using Section = Eigen::Matrix<double, 3, 2>;
+    const Vector3   turn(.3, -.1, .2);
+    Eigen::VectorXd turned    = Eigen::VectorXd::Zero(system.layout().n_dofs());
+    Eigen::VectorXd stretched = turned;
+    const auto      section   = [](const Eigen::VectorXd &q,
+                            const unsigned int     n) -> Section {
+      return Eigen::Map<const Section>(q.data() + 9 * n + 3);
+    };
+    const unsigned int n_nodes = model.mesh.n_nodes();
+    for (unsigned int n = 0; n < n_nodes; ++n)
+      if (system.motion().holding_body(n) < 0)
+        for (unsigned int v = 0; v < 2; ++v)
+          {
+            const Vector3 g = model.state.q.segment<3>(9 * n + 3 + 3 * v);
+            turned.segment<3>(9 * n + 3 + 3 * v)    = turn.cross(g);
+            stretched.segment<3>(9 * n + 3 + 3 * v) = .1 * g;
+          }
+    State turns = model.state, stretches = model.state;
+    system.motion().advance(turns, turned, 1);
+    system.motion().advance(stretches, stretched, 1);
+    double change = 0, missed = 0;
+    for (unsigned int n = 0; n < n_nodes; ++n)
+      if (system.motion().holding_body(n) < 0)
+        {
+          const Section was = section(model.state.q, n),
+                        is  = section(turns.q, n);
+          change =
+            std::max(change,
+                     (is.transpose() * is - was.transpose() * was).norm() /
+                       was.squaredNorm());
+          missed =
+            std::max(missed,
+                     (section(stretches.q, n) - 1.1 * was).norm() / was.norm());
+        }
+    checks.below("shape of sections that turn", change, 1e-12);
+    checks.below("stretch of sections over the step's", missed, 1e-12);
+  }
+
   /** One increment further, from what the last one was. */
   void
   check_extrapolation(Checks            &checks,
@@ -360,4 +403,5 @@ main(int argc, char **argv)
                relative_error(loaded, slope),
                1e-6);
   check_radial(checks);
+  check_sections(checks, model, system);
 }

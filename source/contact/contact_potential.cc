@@ -43,31 +43,25 @@ namespace fiberloom
       LawValue value;
       Spread   spread;
 
-      /** Of a contact that will close, what it adds to be stiff already. */
+      /** Where a step's model takes other stiffness, what that adds. */
       NormalLaw(const ContactElement &contact,
                 const double          gap,
                 const double          cosine)
         : spread(contact, cosine)
       {
-        constexpr double depth = .02; // over the radius, of its stiffness
-        const auto       law   = [&](const double penetration) {
+        const auto law = [&](const double penetration) {
           return contact.following == Points::closest ?
-                           crossing_law(penetration,
+                   crossing_law(penetration,
                                 contact.stiffness * spread.value,
                                 contact.regularization) :
-                           normal_law(penetration,
+                   normal_law(penetration,
                               contact.stiffness * contact.length,
                               contact.regularization);
         };
         value = law(-gap);
-        if (contact.predicted)
-          {
-            const double k =
-              law(depth * std::min(contact.radii[0], contact.radii[1]))
-                .derivative;
-            value = gap > 0 ? LawValue{.5 * k * gap * gap, -k * gap, k} :
-                              LawValue{0, 0, k - value.derivative};
-          }
+        if (const double k = contact.stiffness_added; k != 0)
+          value = gap > 0 ? LawValue{.5 * k * gap * gap, -k * gap, k} :
+                            LawValue{0, 0, k};
         if (contact.following == Points::on_plane)
           spread.first = spread.second = 0;
         spread.first /= spread.value;
@@ -179,8 +173,9 @@ namespace fiberloom
     contact.status           = ContactElement::Status::open;
     if (contact.lost)
       return false;
-    contact.gap          = gap_of(c.scalars, sign, contact.offset);
-    const bool predicted = contact.predicted && asked != Curvature::none;
+    contact.gap = gap_of(c.scalars, sign, contact.offset);
+    const bool predicted =
+      contact.stiffness_added != 0 && asked != Curvature::none;
     if (contact.gap >= 0 && !predicted)
       return false;
 

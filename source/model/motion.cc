@@ -11,6 +11,38 @@ namespace fiberloom
 {
   namespace
   {
+    using Matrix2 = Eigen::Matrix2d;
+    using Vectors = Eigen::Matrix<double, 3, 2>;
+
+    Matrix2
+    square_root(const Matrix2 &positive)
+    {
+      const double root = std::sqrt(positive.determinant());
+      return (positive + root * Matrix2::Identity()) /
+             std::sqrt(positive.trace() + 2 * root);
+    }
+
+    /** Section vectors that turn and are stretched by @p change , each to first
+     * order alike: a straight change would stretch what it turns, to second
+     * order, and sections are stiff. */
+    Vectors
+    turned(const Vectors &section, const Vectors &change)
+    {
+      const Vectors straight = section + change;
+      const Matrix2 stretch  = square_root(section.transpose() * section),
+                    twice    = section.transpose() * change +
+                            change.transpose() * section;
+      const double trace = stretch.trace(), determinant = stretch.determinant();
+      const Matrix2 adjoint = trace * Matrix2::Identity() - stretch;
+      // U X + X U = E, in the plane.
+      const Matrix2 stretched =
+        stretch + (determinant * twice + adjoint * twice * adjoint) /
+                    (2 * trace * determinant);
+      const Vectors result =
+        straight * square_root(straight.transpose() * straight).inverse() *
+        stretched;
+      return result.allFinite() ? result : straight;
+    }
     constexpr double least_turn = 1e-14; // what rounding leaves of a rotation
   }                                      // namespace
 
@@ -181,7 +213,15 @@ namespace fiberloom
                                 factor * node_dofs(increment, n))
                    .head(size);
         else
-          node += factor * increment.segment(first, size);
+          {
+            const Vectors section = Eigen::Map<const Vectors>(node.data() + 3);
+            node += factor * increment.segment(first, size);
+            if (n < mesh.n_nodes())
+              Eigen::Map<Vectors>(node.data() + 3) =
+                turned(section,
+                       factor * Eigen::Map<const Vectors>(increment.data() +
+                                                          first + 3));
+          }
       }
     state.placements = std::move(moved);
     place_images(state);

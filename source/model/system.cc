@@ -406,17 +406,18 @@ namespace fiberloom
 
 
   void
-  System::add_closing(const State                     &state,
-                      std::vector<ContactElement>     &contacts,
-                      const std::vector<unsigned int> &closing)
+  System::add_stiffness(const State                       &state,
+                        const std::vector<ContactElement> &contacts)
   {
     std::vector<double> balance(residual.size(), 0.);
     residual.swap(balance);
     const DofVector q = mesh.with_images(state.q);
     PotentialGroup  normal;
-    for (const unsigned int i : closing)
+    for (const ContactElement &contact : contacts)
       {
-        ContactElement predicted = contacts[i];
+        if (contact.stiffness_added == 0)
+          continue;
+        ContactElement predicted = contact;
         if (!evaluate_normal(predicted, seen, q, normal.potential, curvature))
           continue;
         normal.set_nodes();

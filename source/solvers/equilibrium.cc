@@ -270,26 +270,17 @@ namespace fiberloom
   {
     Problem following            = problem;
     following.rule.points_follow = true;
-    bool is_stiffened            = false;
-    while (by_newton.solve(state,
-                           following,
-                           parameters.solver.largest_loop_iterations,
-                           is_stiffened))
-      {
-        last_negative_pivots = by_newton.negative_pivots();
-        folded               = mesh.is_folded(state.q);
-        if (folded)
-          return false;
-        if (!penetration.needs_stiffening(increment.contacts))
-          {
-            time_yardstick();
-            return true;
-          }
-        is_stiffened =
-          penetration.stiffen(increment.contacts, state.contact.zones);
-        increment.generate(state, following);
-      }
-    return false;
+    if (!by_newton.solve(state,
+                         following,
+                         parameters.solver.largest_loop_iterations,
+                         &penetration))
+      return false;
+    last_negative_pivots = by_newton.negative_pivots();
+    folded               = mesh.is_folded(state.q);
+    if (folded)
+      return false;
+    time_yardstick();
+    return true;
   }
 
 

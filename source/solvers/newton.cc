@@ -4,6 +4,7 @@
 #include <fiberloom/base/rounding.h>
 #include <fiberloom/base/scoped_timer.h>
 
+#include <fiberloom/contact/contact_law.h>
 #include <fiberloom/contact/contact_potential.h>
 
 #include <fiberloom/solvers/newton.h>
@@ -25,12 +26,13 @@ namespace fiberloom
     // part: each balance is worth as much as the next limits are off.
     constexpr double lag_reduction = .5;
 
-    // Predictions of contacts that close in one iteration, and how deep over
-    // the radius the step has to bring them.
+    // Predictions in one iteration of contacts whose stiffness changes: those
+    // that close are the first time as stiff as at a depth, over the radius, of
+    // the largest penetration at standard accuracy, if they get deep enough.
     constexpr unsigned int most_predictions = 2;
-    constexpr double       least_depth      = .005;
+    constexpr double       closed_depth = .02, least_depth = .005;
 
-    // Corrections around one factor, of each kind.
+    // Corrections around one factor where the energy judges.
     constexpr unsigned int most_corrections = 3;
 
     // From one trial to the next neither the length of a step nor Levenberg's
@@ -47,6 +49,29 @@ namespace fiberloom
 
     // Of the linear systems: what they leave is well below what is asked for.
     constexpr double linear_tolerance = 1e-6;
+
+    /** Of a law that is as deep as @p depth and is to have a @p force , from
+     * there to that; @p guess is beyond both [N/mm]. */
+    double
+    secant_stiffness(const ContactElement &contact,
+                     const double          depth,
+                     const double          guess,
+                     const double          force)
+    {
+      const LawValue here = contact_normal_law(contact, depth);
+      if (force <= 0)
+        return depth > 0 ? here.force / depth : 0;
+      double there = std::max(depth, guess);
+      // The law is convex: from the second step on this comes from above.
+      for (unsigned int k = 0; k < 10; ++k)
+        {
+          const LawValue law = contact_normal_law(contact, there);
+          there += (force - law.force) / law.derivative;
+        }
+      return std::abs(there - depth) > rounding * contact.radii[0] ?
+               (force - here.force) / (there - depth) :
+               here.derivative;
+    }
   } // namespace
 
 
@@ -73,7 +98,60 @@ namespace fiberloom
   Newton::solve(State             &state,
                 const Problem     &problem,
                 const unsigned int most,
-                const bool         with_new_limits)
+                const Penetration *penetration)
+  {
+    begin();
+    bool         is_new  = true; // without an iteration
+    unsigned int n       = 0;
+    const auto   stiffen = [&]() {
+      if (penetration == nullptr ||
+          !penetration->needs_stiffening(increment.contacts))
+        return false;
+      penetration->stiffen(increment.contacts, state.contact.zones);
+      begin();
+      n = 0;
+      return true;
+    };
+    for (;;)
+      {
+        refresh(state, problem);
+        const bool moves = system.motion().moves(state, problem.targets);
+        assemble(state,
+                 problem,
+                 trusted && !moves ? Curvature::exact : Curvature::positive);
+        measure(problem);
+        watch({residual, damping, last_factor});
+        if (!moves && !is_new && residual < poor_model && stiffen())
+          {
+            is_new = true;
+            continue;
+          }
+        if (!moves && residual < increment.tolerance() &&
+            is_at_rest(state, problem))
+          {
+            if (!stiffen())
+              return true;
+            continue;
+          }
+        Step step;
+        if (n == most || !std::isfinite(residual) ||
+            !find_step(state, problem, step))
+          return false;
+        ++n;
+        ++statistics.newton_iterations;
+        is_new         = false;
+        limits_are_new = !moves && take_coupled_step(state, problem);
+        if (moves)
+          follow_motion(state, problem, step);
+        else if (!limits_are_new)
+          descend(state, problem, step);
+      }
+  }
+
+
+
+  void
+  Newton::begin()
   {
     generated_at.resize(0);
     trusted        = true;
@@ -82,31 +160,17 @@ namespace fiberloom
     coupled_since  = 0;
     residual       = 1e300;
     lagged         = 0;
-    limits_are_new = with_new_limits;
-    for (unsigned int i = 0;; ++i)
-      {
-        refresh(state, problem);
-        const bool moves = system.motion().moves(state, problem.targets);
-        assemble(state,
-                 problem,
-                 trusted && !moves ? Curvature::exact : Curvature::positive);
-        residual = increment.residual(problem);
-        lagged   = std::max(lagged, residual);
-        watch({residual, damping, last_factor});
-        if (!moves && residual < increment.tolerance() &&
-            is_at_rest(state, problem))
-          return true;
-        Step step;
-        if (i == most || !std::isfinite(residual) ||
-            !find_step(state, problem, step))
-          return false;
-        ++statistics.newton_iterations;
-        limits_are_new = !moves && take_coupled_step(state, problem);
-        if (moves)
-          follow_motion(state, problem, step);
-        else if (!limits_are_new)
-          descend(state, problem, step);
-      }
+    limits_are_new = false;
+  }
+
+
+
+  void
+  Newton::measure(const Problem &problem)
+  {
+    scale    = increment.scale(problem);
+    residual = increment.residual(problem);
+    lagged   = std::max(lagged, residual);
   }
 
 
@@ -147,8 +211,9 @@ namespace fiberloom
     increment.generate(state, problem);
     generated_at = state.q;
     assemble(state, problem, Curvature::exact);
-    residual = lagged = increment.residual(problem);
-    limits_are_new    = true;
+    lagged = 0;
+    measure(problem);
+    limits_are_new = true;
     return residual < increment.tolerance();
   }
 
@@ -247,9 +312,14 @@ namespace fiberloom
       assemble(state, problem, Curvature::positive);
     if (!is_exact)
       solve_linear(state, damping, Indefinite::shifted, step);
+    std::vector<double> stiffness;
 
-    for (unsigned int k = 0; k < most_predictions && std::isfinite(step.move) &&
-                             predict_closing(state, step) > 0;
+    for (unsigned int k = 0;
+         k < most_predictions && std::isfinite(step.move) &&
+         predict(state,
+                 moved(state, step.increment, longest(step)),
+                 Predicted::closing,
+                 stiffness);
          ++k)
       {
         // Contacts that are predicted pull as well as push: what they make of
@@ -262,39 +332,86 @@ namespace fiberloom
           other = std::move(step);
         step = std::move(next);
       }
-    for (ContactElement &contact : increment.contacts)
-      contact.predicted = false;
     return std::isfinite(step.move);
   }
 
 
 
-  unsigned int
-  Newton::predict_closing(const State &state, const Step &step)
+  bool
+  Newton::predict(const State         &state,
+                  const State         &ahead,
+                  const Predicted      predicted,
+                  std::vector<double> &stiffness)
   {
     ScopedTimer     timer(statistics.seconds.assembly);
-    const State     ahead = moved(state, step.increment, longest(step));
-    const DofVector q     = mesh.with_images(ahead.q);
-    const double    depth = least_depth * mesh.smallest_radius();
-    std::vector<unsigned int> closing;
+    const DofVector q = mesh.with_images(ahead.q);
+    stiffness.resize(increment.contacts.size(), -1);
+    bool any = false;
     for (unsigned int i = 0; i < increment.contacts.size(); ++i)
       {
         ContactElement &contact = increment.contacts[i];
+        const bool      is_new  = stiffness[i] < 0;
+        contact.stiffness_added = 0;
         if (contact.following == ContactElement::Points::fixed ||
-            contact.predicted || contact.lost ||
-            contact.gap <= -std::min(depth, contact.regularization))
+            contact.lost || (predicted == Predicted::closing && !is_new))
           continue;
         ContactElement there = contact;
         normal_energy(there, mesh.with_images(), q);
-        if (!there.lost && there.gap < -depth)
-          {
-            contact.predicted = true;
-            closing.push_back(i);
-          }
+        if (there.lost || (is_new && contact.gap >= 0 && there.gap >= 0))
+          continue;
+        const double r     = std::min(contact.radii[0], contact.radii[1]);
+        const double depth = std::max(0., -contact.gap);
+        const auto   own   = contact_normal_law(contact, depth);
+        const double model = is_new ? own.derivative : stiffness[i];
+        const double force = own.force - model * (there.gap + depth);
+        const bool   differs =
+          std::abs(there.normal_force - std::max(0., force)) >
+          increment.tolerance() * scale;
+        double wanted = model;
+        if (is_new &&
+            (predicted == Predicted::closing ?
+               there.gap < -least_depth * r &&
+                 depth < std::min(least_depth * r, contact.regularization) :
+               depth == 0 && differs))
+          wanted = contact_normal_law(contact, closed_depth * r).derivative;
+        else if (predicted == Predicted::all && differs)
+          wanted = secant_stiffness(contact, depth, -there.gap, force);
+        if (wanted == model)
+          continue;
+        contact.stiffness_added = wanted - model;
+        stiffness[i]            = wanted;
+        any                     = true;
       }
-    if (!closing.empty())
-      system.add_closing(state, increment.contacts, closing);
-    return closing.size();
+    if (any)
+      system.add_stiffness(state, increment.contacts);
+    for (ContactElement &contact : increment.contacts)
+      contact.stiffness_added = 0;
+    return any;
+  }
+
+
+
+  bool
+  Newton::find_coupled_step(const State   &state,
+                            const Problem &problem,
+                            Step          &step)
+  {
+    system.couple_limits(true);
+    assemble(state, problem, Curvature::exact);
+    system.couple_limits(false);
+    std::vector<double> stiffness;
+    bool                found = solve_coupled(gradient, step);
+    for (unsigned int k = 0; k < most_predictions && found; ++k)
+      {
+        const double factor = std::min(1., stale_after / step.move);
+        if (!predict(state,
+                     moved(state, step.increment, factor),
+                     Predicted::all,
+                     stiffness))
+          break;
+        found = solve_coupled(system.right_hand_side(), step);
+      }
+    return found;
   }
 
 
@@ -305,19 +422,16 @@ namespace fiberloom
     if (!problem.rule.friction || !limits_are_new || !is_exact || damping > 0 ||
         !(coupled_since > 0 || residual < coupled_below))
       return false;
-    system.couple_limits(true);
-    assemble(state, problem, Curvature::exact);
-    system.couple_limits(false);
     Step step;
-    if (solve_coupled(gradient, step))
+    if (find_coupled_step(state, problem, step))
       {
         const auto kept   = increment.contacts;
         double     factor = std::min(1., stale_after / step.move);
-        for (; factor > shortest; factor *= longest_cut)
+        for (; factor >= poor_model; factor *= longest_cut)
           {
             CoupledStep there;
             there.state = state;
-            if (!reach_coupled(there, problem, step, factor))
+            if (!reach_coupled(there, problem, step, factor, residual))
               continue;
             correct_coupled(there, problem);
             state        = std::move(there.state);
@@ -343,7 +457,8 @@ namespace fiberloom
   Newton::reach_coupled(CoupledStep   &there,
                         const Problem &problem,
                         const Step    &step,
-                        const double   factor)
+                        const double   factor,
+                        const double   from)
   {
     system.motion().advance(there.state, step.increment, factor);
     there.residual             = increment.measure_anew(there.state, problem);
@@ -351,7 +466,8 @@ namespace fiberloom
     for (double &value : defect)
       value = -value;
     return solve_coupled(defect, there.next) &&
-           there.next.move < (1 - poor_model * factor) * step.move;
+           (there.next.move < (1 - poor_model * factor) * step.move ||
+            there.residual < (1 - good_model * factor) * from);
   }
 
 
@@ -359,15 +475,13 @@ namespace fiberloom
   void
   Newton::correct_coupled(CoupledStep &there, const Problem &problem)
   {
-    for (unsigned int k = 0;
-         k < most_corrections && there.residual > increment.tolerance() &&
-         there.next.move < stale_after;
-         ++k)
+    while (there.residual > increment.tolerance() &&
+           there.next.move < stale_after)
       {
         const auto  kept = increment.contacts;
         CoupledStep next;
         next.state = there.state;
-        if (!reach_coupled(next, problem, there.next, 1))
+        if (!reach_coupled(next, problem, there.next, 1, there.residual))
           {
             increment.contacts = kept;
             return;

@@ -61,14 +61,13 @@ namespace fiberloom
              std::vector<ContactElement> &contacts);
 
     /**
-     * Adds the @p closing ones of @p contacts , which are predicted to close,
-     * to the system that was assembled last: their tangent, and their force to
-     * the right hand side.
+     * Adds what @p contacts have of it in this step's model to the system that
+     * was assembled last: to the tangent, and the force of open ones to the
+     * right hand side.
      */
     void
-    add_closing(const State                     &state,
-                std::vector<ContactElement>     &contacts,
-                const std::vector<unsigned int> &closing);
+    add_stiffness(const State                       &state,
+                  const std::vector<ContactElement> &contacts);
 
     /** Of contacts whose points follow the fibers, in what is assembled. */
     void

@@ -6,6 +6,7 @@
 
 #include <fiberloom/solvers/increment.h>
 #include <fiberloom/solvers/linear_solver.h>
+#include <fiberloom/solvers/penetration.h>
 
 #include <functional>
 #include <vector>
@@ -53,13 +54,14 @@ namespace fiberloom
      * contacts have been generated, to equilibrium: everything generated
      * anew, the residual is below the tolerance of the increment. False, with
      * @p state spoilt, where @p most iterations do not lead there.
-     * @p with_new_limits : those of friction are what @p state makes them.
+     * @p penetration stiffens zones that are too deep, as soon as forces are
+     * about right; without it they stay as they are.
      */
     bool
     solve(State             &state,
           const Problem     &problem,
           const unsigned int most,
-          const bool         with_new_limits = false);
+          const Penetration *penetration = nullptr);
 
     /** Of the last exact tangent; -1 if its factorisation failed. */
     int
@@ -69,6 +71,13 @@ namespace fiberloom
     }
 
   private:
+    /** Contacts that take part in a step with another stiffness. */
+    enum class Predicted
+    {
+      closing, // those that close
+      all      // and those whose force changes otherwise than linearly
+    };
+
     /** A step in all dofs. */
     struct Step
     {
@@ -95,6 +104,14 @@ namespace fiberloom
       Step   next;         // by the same matrix
     };
 
+    /** As nothing was known of this state. */
+    void
+    begin();
+
+    /** What the system that was assembled last is off. */
+    void
+    measure(const Problem &problem);
+
     void
     refresh(State &state, const Problem &problem);
 
@@ -119,9 +136,18 @@ namespace fiberloom
                  const LinearSolver::Indefinite indefinite,
                  Step                          &step);
 
-    /** Contacts that @p step closes take part in the system; how many. */
-    unsigned int
-    predict_closing(const State &state, const Step &step);
+    /** On the way to @p ahead : the @p predicted contacts take part in the
+     * system with the @p stiffness that leads to the force they are to have,
+     * below 0 for their own; whether there are any. */
+    bool
+    predict(const State         &state,
+            const State         &ahead,
+            const Predicted      predicted,
+            std::vector<double> &stiffness);
+
+    /** Whose friction limits follow; whether there is one. */
+    bool
+    find_coupled_step(const State &state, const Problem &problem, Step &step);
 
     /** A step whose friction limits follow, if the regenerated problem then
      * asks for a shorter one. */
@@ -129,12 +155,13 @@ namespace fiberloom
     take_coupled_step(State &state, const Problem &problem);
 
     /** Moves @p there by @p factor times @p step ; whether its next step is
-     * shorter. */
+     * shorter, or the residual well below that @p from which it starts. */
     bool
     reach_coupled(CoupledStep   &there,
                   const Problem &problem,
                   const Step    &step,
-                  const double   factor);
+                  const double   factor,
+                  const double   from);
 
     /** Goes on by next steps as long as they get shorter. */
     void
@@ -202,6 +229,7 @@ namespace fiberloom
     bool                trusted        = true; // the model of the last one
     double              damping        = 0;    // over E r
     double              residual       = 0;    // over its scale
+    double              scale          = 0;    // [N]
     double              lagged         = 0; // that, when limits were last set
     bool                limits_are_new = false; // of friction, at this state
     double              coupled_below  = 0; // this residual limits may follow
