@@ -4,6 +4,8 @@
 #include <fiberloom/model/held_nodes.h>
 #include <fiberloom/model/motion.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,24 +16,18 @@ namespace fiberloom
     using Matrix2 = Eigen::Matrix2d;
     using Vectors = Eigen::Matrix<double, 3, 2>;
 
-    Matrix2
-    square_root(const Matrix2 &positive)
-    {
-      const double root = std::sqrt(positive.determinant());
-      return (positive + root * Matrix2::Identity()) /
-             std::sqrt(positive.trace() + 2 * root);
-    }
-
     /** Section vectors that turn and are stretched by @p change , each to first
      * order alike: a straight change would stretch what it turns, to second
      * order, and sections are stiff. */
     Vectors
     turned(const Vectors &section, const Vectors &change)
     {
+      using Spectrum         = Eigen::SelfAdjointEigenSolver<Matrix2>;
       const Vectors straight = section + change;
-      const Matrix2 stretch  = square_root(section.transpose() * section),
-                    twice    = section.transpose() * change +
-                            change.transpose() * section;
+      const Matrix2 stretch =
+        Spectrum(section.transpose() * section).operatorSqrt();
+      const Matrix2 twice =
+        section.transpose() * change + change.transpose() * section;
       const double trace = stretch.trace(), determinant = stretch.determinant();
       const Matrix2 adjoint = trace * Matrix2::Identity() - stretch;
       // U X + X U = E, in the plane.
@@ -39,7 +35,8 @@ namespace fiberloom
         stretch + (determinant * twice + adjoint * twice * adjoint) /
                     (2 * trace * determinant);
       const Vectors result =
-        straight * square_root(straight.transpose() * straight).inverse() *
+        straight *
+        Spectrum(straight.transpose() * straight).operatorInverseSqrt() *
         stretched;
       return result.allFinite() ? result : straight;
     }

@@ -61,13 +61,15 @@ namespace fiberloom
       const LawValue here = contact_normal_law(contact, depth);
       if (force <= 0)
         return depth > 0 ? here.force / depth : 0;
-      double there = std::max(depth, guess);
+      double there = std::max(depth, guess), step;
       // The law is convex: from the second step on this comes from above.
-      for (unsigned int k = 0; k < 10; ++k)
+      do
         {
           const LawValue law = contact_normal_law(contact, there);
-          there += (force - law.force) / law.derivative;
+          step               = (force - law.force) / law.derivative;
+          there += step;
         }
+      while (std::abs(step) > rounding * contact.radii[0]);
       return std::abs(there - depth) > rounding * contact.radii[0] ?
                (force - here.force) / (there - depth) :
                here.derivative;
@@ -101,8 +103,7 @@ namespace fiberloom
                 const Penetration *penetration)
   {
     begin();
-    bool         is_new  = true; // without an iteration
-    unsigned int n       = 0;
+    unsigned int n       = 0; // iterations with this stiffness
     const auto   stiffen = [&]() {
       if (penetration == nullptr ||
           !penetration->needs_stiffening(increment.contacts))
@@ -121,11 +122,8 @@ namespace fiberloom
                  trusted && !moves ? Curvature::exact : Curvature::positive);
         measure(problem);
         watch({residual, damping, last_factor});
-        if (!moves && !is_new && residual < poor_model && stiffen())
-          {
-            is_new = true;
-            continue;
-          }
+        if (!moves && n > 0 && residual < poor_model && stiffen())
+          continue;
         if (!moves && residual < increment.tolerance() &&
             is_at_rest(state, problem))
           {
@@ -139,7 +137,6 @@ namespace fiberloom
           return false;
         ++n;
         ++statistics.newton_iterations;
-        is_new         = false;
         limits_are_new = !moves && take_coupled_step(state, problem);
         if (moves)
           follow_motion(state, problem, step);
@@ -168,7 +165,6 @@ namespace fiberloom
   void
   Newton::measure(const Problem &problem)
   {
-    scale    = increment.scale(problem);
     residual = increment.residual(problem);
     lagged   = std::max(lagged, residual);
   }
@@ -318,6 +314,7 @@ namespace fiberloom
          k < most_predictions && std::isfinite(step.move) &&
          predict(state,
                  moved(state, step.increment, longest(step)),
+                 problem,
                  Predicted::closing,
                  stiffness);
          ++k)
@@ -340,11 +337,13 @@ namespace fiberloom
   bool
   Newton::predict(const State         &state,
                   const State         &ahead,
+                  const Problem       &problem,
                   const Predicted      predicted,
                   std::vector<double> &stiffness)
   {
     ScopedTimer     timer(statistics.seconds.assembly);
-    const DofVector q = mesh.with_images(ahead.q);
+    const DofVector q     = mesh.with_images(ahead.q);
+    const double    least = increment.tolerance() * increment.scale(problem);
     stiffness.resize(increment.contacts.size(), -1);
     bool any = false;
     for (unsigned int i = 0; i < increment.contacts.size(); ++i)
@@ -365,8 +364,7 @@ namespace fiberloom
         const double model = is_new ? own.derivative : stiffness[i];
         const double force = own.force - model * (there.gap + depth);
         const bool   differs =
-          std::abs(there.normal_force - std::max(0., force)) >
-          increment.tolerance() * scale;
+          std::abs(there.normal_force - std::max(0., force)) > least;
         double wanted = model;
         if (is_new &&
             (predicted == Predicted::closing ?
@@ -406,6 +404,7 @@ namespace fiberloom
         const double factor = std::min(1., stale_after / step.move);
         if (!predict(state,
                      moved(state, step.increment, factor),
+                     problem,
                      Predicted::all,
                      stiffness))
           break;

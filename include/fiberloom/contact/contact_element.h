@@ -45,8 +45,8 @@ namespace fiberloom
                                            // on plane: sign of t1 . t2
     std::array<double, 2> u    = {{0, 0}}; // of the points that follow
     bool                  lost = false;    // their points are beyond finding
-    double                stiffness_added =
-      0; // by a step's model, linear from where it is [N/mm]
+    // By a step's model, linear from where the contact is [N/mm].
+    double stiffness_added = 0;
 
     // normal contact
     Vector3 normal;    // unit, from the second fiber to the first

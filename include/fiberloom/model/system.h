@@ -61,8 +61,8 @@ namespace fiberloom
              std::vector<ContactElement> &contacts);
 
     /**
-     * Adds what @p contacts have of it in this step's model to the system that
-     * was assembled last: to the tangent, and the force of open ones to the
+     * Adds the stiffness_added of @p contacts to the system that was assembled
+     * last: to the tangent, and with the force that open ones get by it to the
      * right hand side.
      */
     void

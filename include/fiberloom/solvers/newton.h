@@ -142,6 +142,7 @@ namespace fiberloom
     bool
     predict(const State         &state,
             const State         &ahead,
+            const Problem       &problem,
             const Predicted      predicted,
             std::vector<double> &stiffness);
 
@@ -229,7 +230,6 @@ namespace fiberloom
     bool                trusted        = true; // the model of the last one
     double              damping        = 0;    // over E r
     double              residual       = 0;    // over its scale
-    double              scale          = 0;    // [N]
     double              lagged         = 0; // that, when limits were last set
     bool                limits_are_new = false; // of friction, at this state
     double              coupled_below  = 0; // this residual limits may follow
