@@ -430,7 +430,7 @@ namespace fiberloom
           {
             CoupledStep there;
             there.state = state;
-            if (!reach_coupled(there, problem, step, factor, residual))
+            if (!reach_coupled(there, problem, step, factor))
               continue;
             correct_coupled(there, problem);
             state        = std::move(there.state);
@@ -456,8 +456,7 @@ namespace fiberloom
   Newton::reach_coupled(CoupledStep   &there,
                         const Problem &problem,
                         const Step    &step,
-                        const double   factor,
-                        const double   from)
+                        const double   factor)
   {
     system.motion().advance(there.state, step.increment, factor);
     there.residual             = increment.measure_anew(there.state, problem);
@@ -466,7 +465,7 @@ namespace fiberloom
       value = -value;
     return solve_coupled(defect, there.next) &&
            (there.next.move < (1 - poor_model * factor) * step.move ||
-            there.residual < (1 - good_model * factor) * from);
+            there.residual < increment.tolerance());
   }
 
 
@@ -480,7 +479,7 @@ namespace fiberloom
         const auto  kept = increment.contacts;
         CoupledStep next;
         next.state = there.state;
-        if (!reach_coupled(next, problem, there.next, 1, there.residual))
+        if (!reach_coupled(next, problem, there.next, 1))
           {
             increment.contacts = kept;
             return;

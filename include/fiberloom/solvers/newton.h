@@ -156,13 +156,12 @@ namespace fiberloom
     take_coupled_step(State &state, const Problem &problem);
 
     /** Moves @p there by @p factor times @p step ; whether its next step is
-     * shorter, or the residual well below that @p from which it starts. */
+     * shorter, or it needs none. */
     bool
     reach_coupled(CoupledStep   &there,
                   const Problem &problem,
                   const Step    &step,
-                  const double   factor,
-                  const double   from);
+                  const double   factor);
 
     /** Goes on by next steps as long as they get shorter. */
     void
