@@ -5,7 +5,7 @@
 
     left_out.py PROGRAM SOURCE_DIRECTORY [--write]
 
-`--write` puts the table into doc/performance.md.
+`--write` puts the table into doc/results/performance.md.
 """
 
 import json
@@ -15,7 +15,7 @@ import sys
 from documents import block, markdown_table, replace_block
 from program_runs import SMALL_WEAVE, SOURCE, check, finish, run
 
-DOCUMENT = os.path.join(SOURCE, "doc", "performance.md")
+DOCUMENT = os.path.join(SOURCE, "doc", "results", "performance.md")
 BEGIN, END = "<!-- left out: begin -->", "<!-- left out: end -->"
 HEADER = ["scene", "what it does without", "count", "seconds", "beside it", "count", "seconds"]
 
@@ -100,7 +100,7 @@ def check_document(found):
     """The rows that stand there; seconds may differ."""
     lines = block(DOCUMENT, BEGIN, END)[1].strip().splitlines()[2:]
     written = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
-    check("doc/performance.md has these scenes and what they do without",
+    check("doc/results/performance.md has these scenes and what they do without",
           [row[:3] for row in written] == [row[:3] for row in found])
 
 

@@ -15,7 +15,7 @@ of ways.py by ways that should not matter, and `estimates` compares what runs sa
 with the error that they have.
 
 --write puts tables into the blocks of a document that are marked for them, pictures into
-pictures/accuracy/ beside it, and what finest runs gave into references.json here. --keep takes
+../pictures/accuracy/ beside it, and what finest runs gave into references.json here. --keep takes
 runs from the work directory that were made by the same version with the same values in force.
 Where a scene names settings that should not matter, its reference and what is said of its levels are
 means over these; the table of levels has the worst of them.
@@ -195,7 +195,7 @@ def describe(name, scene, points):
     text = f"{scene.about} Base: {described(scene.base)}."
     if scene.finest:
         text += f" Finest: {described(scene.finest)}."
-    return "\n\n".join([text, f"![Errors over CPU seconds](pictures/accuracy/{name}.svg)",
+    return "\n\n".join([text, f"![Errors over CPU seconds](../pictures/accuracy/{name}.svg)",
                         markdown_table(["knob", "value", "error", "change to its finest", "estimated", "CPU s",
                                "Newton iterations", "front"], rows)])
 
@@ -233,7 +233,7 @@ def study(name, run, document):
     series = {}
     for point in points:
         series.setdefault(point.knob, []).append(point.place())
-    pictures = os.path.join(os.path.dirname(os.path.abspath(document)), "pictures", "accuracy")
+    pictures = os.path.join(os.path.dirname(os.path.abspath(document)), "..", "pictures", "accuracy")
     os.makedirs(pictures, exist_ok=True)
     with open(os.path.join(pictures, name + ".svg"), "w") as file:
         file.write(picture(re.split("[.:]", scene.about)[0].replace("`", ""), series))

@@ -14,7 +14,7 @@ otherwise.
 Prints a table: row, value, quantity, verdict, Newton iterations, error, tolerance, CPU seconds,
 and what those that were refused or failed said. Ends with status 1 if something is wrong or
 crashed. --write puts both into a document behind the line that says it is generated, after each
-row, and pictures of errors over seconds, of rows where they have to fall, into pictures/extremes
+row, and pictures of errors over seconds, of rows where they have to fall, into ../pictures/extremes
 beside it. --weaves runs random_weaves.py instead, JOBS at a time and from number FIRST on.
 """
 
@@ -96,13 +96,13 @@ def seconds_of_mechanics(result):
 def write(file, lines, messages, falling):
     about = "\n".join(f"- **{row}**: {' '.join(rows.ROWS[row].__doc__.split())}"
                       for row in dict.fromkeys(line[0] for line in lines))
-    pictures = os.path.join(os.path.dirname(os.path.abspath(file)), "pictures", "extremes")
+    pictures = os.path.join(os.path.dirname(os.path.abspath(file)), "..", "pictures", "extremes")
     os.makedirs(pictures, exist_ok=True)
     for row, series in falling.items():
         with open(os.path.join(pictures, f"{row}.svg"), "w") as drawing:
             drawing.write(picture(row, series, "seconds of detection, assembly and linear solver",
                                   comparable=False))
-        about += f"\n\n![{row}: errors over seconds](pictures/extremes/{row}.svg)"
+        about += f"\n\n![{row}: errors over seconds](../pictures/extremes/{row}.svg)"
     said = "\n".join(f"- {message}" for message in messages) or "All survived."
     replace_block(file, f"{about}\n\n{markdown_table(HEADER, lines)}\n\n"
                         f"## What those that were refused or failed said\n\n{said}", MARK)

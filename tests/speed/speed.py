@@ -7,7 +7,7 @@
 
 Each round runs REFERENCE before and after every scene, on one rank; a scene's cost is its CPU seconds
 over the mean of those two. Prints the median of all rounds, its range, and the same for detection,
-assembly and linear solver; beside it what doc/performance.md holds, and "slower" or "faster" where the
+assembly and linear solver; beside it what doc/results/performance.md holds, and "slower" or "faster" where the
 ranges of then and now lie apart. --write puts the table into the block of a document. The status tells
 nothing about speed: machines are noisy, so a person looks.
 """
@@ -25,7 +25,7 @@ sys.path[:0] = [os.path.join(HERE, ".."), os.path.join(HERE, "..", "verification
 from documents import block, markdown_table, replace_block
 from verify import Runner, cpu_of_children
 
-DOCUMENT = os.path.join(HERE, "..", "..", "doc", "performance.md")
+DOCUMENT = os.path.join(HERE, "..", "..", "doc", "results", "performance.md")
 BEGIN, END = "<!-- speed: by ./loom speed -->", "<!-- end of speed -->"
 HEADER = ["scene", "Newton iterations", "all (range)", "detection", "assembly", "linear solver"]
 PARTS = ("detection", "assembly", "linear_solver")

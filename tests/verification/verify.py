@@ -13,7 +13,7 @@ scene=NAME)` runs a scene and gives its Result; runs that are asked for twice ar
 Prints a table: case, quantity, reference, computed, error, tolerance, seconds, verdict,
 and ends with status 1 if a case falls short. --write puts the table into a document
 behind the line that says it is generated, with the docstring of each case and its picture
-pictures/verification/NAME.png where the document has one.
+../pictures/verification/NAME.png where there is one beside the document's directory.
 """
 
 import argparse
@@ -158,7 +158,7 @@ def case_names(quick):
 
 def describe(name, directory):
     text = f"### {name}\n\n{importlib.import_module(name).__doc__.strip()}"
-    picture = f"pictures/verification/{name}.png"
+    picture = f"../pictures/verification/{name}.png"
     if os.path.exists(os.path.join(directory, picture)):
         text += f"\n\n![{name}]({picture})"
     return text
