@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+
+"""When ./loom installs missing packages, asks, or refuses. Usage, in a directory of its own: loom_packages.py LOOM
+
+It gets a Debian, a user, apt, which writes down what it is called with, and cmake, all made of scripts.
+"""
+
+import os
+import pty
+import shutil
+import subprocess
+import sys
+import tempfile
+
+LOOM = sys.argv[1]
+SCRIPTS = {
+    "dpkg-query": '[[ $INSTALLED = all || " $INSTALLED " = *" ${!#} "* ]] && echo installed',
+    "id": "echo $USER_ID",
+    "sudo": 'exec "$@"',
+    "apt-get": 'echo "$@" >> "$CALLS"',
+    "cmake": "exit 0",
+}
+failures = 0
+
+
+def build(*arguments, user=0, installed="g++ make", answer=None):
+    """Status, lines on stdout and on stderr, and what apt was told to install; `answer` is typed at a terminal."""
+    with tempfile.TemporaryDirectory() as directory:
+        for name, text in SCRIPTS.items():
+            with open(os.path.join(directory, name), "w") as script:
+                script.write(f"#!/bin/bash\n{text}\n")
+            os.chmod(script.name, 0o755)
+        loom = shutil.copy(LOOM, directory)
+        calls = os.path.join(directory, "calls")
+        environment = {"PATH": directory + os.pathsep + os.environ["PATH"], "CALLS": calls, "USER_ID": str(user),
+                       "INSTALLED": installed}
+        keyboard, terminal = pty.openpty()
+        if answer is not None:
+            os.write(keyboard, answer.encode())
+        done = subprocess.run([loom, *arguments], env=environment, capture_output=True, text=True, timeout=60,
+                              stdin=subprocess.DEVNULL if answer is None else terminal)
+        os.close(keyboard)
+        os.close(terminal)
+        told = open(calls).read().split("--no-install-recommends")[-1].split() if os.path.exists(calls) else []
+    return done.returncode, done.stdout, done.stderr.splitlines(), told
+
+
+def check(what, good):
+    global failures
+    failures += not good
+    print(f"{'ok   ' if good else 'WRONG'} {what}", flush=True)
+
+
+def installs(*arguments, **options):
+    status, _, errors, told = build(*arguments, **options)
+    return status == 0 and not errors and "libdeal.ii-dev" in told and "g++" not in told
+
+
+def refuses(*arguments, **options):
+    status, _, errors, told = build(*arguments, **options)
+    return status == 1 and len(errors) == 1 and "libdeal.ii-dev" in errors[0] and not told
+
+
+def answered(answer, **options):
+    status, shown, _, told = build("build", answer=answer, **options)
+    return status == 0, "libdeal.ii-dev" in shown, "libdeal.ii-dev" in told
+
+
+check("nothing to install: builds, also without a terminal",
+      build("build", user=1000, installed="all")[::3] == (0, []))
+check("root without a terminal: installs", installs("build"))
+check("a user without a terminal: one line", refuses("build", user=1000))
+for arguments in ("--yes", "build"), ("build", "--yes"), ("-y", "build"), ("build", "-y"):
+    check(f"a user without a terminal, {' '.join(arguments)}: installs", installs(*arguments, user=1000))
+for user in 0, 1000:
+    check(f"user {user} at a terminal, y: told, installed", answered("y\n", user=user) == (True, True, True))
+    check(f"user {user} at a terminal, return: told, installed", answered("\n", user=user) == (True, True, True))
+    check(f"user {user} at a terminal, n: told, not installed", answered("n\n", user=user) == (False, True, False))
+    check(f"user {user} at a terminal, end: told, not installed", answered("\x04", user=user) == (False, True, False))
+check("at a terminal, --yes: not asked", installs("build", "--yes", answer="n\n"))
+sys.exit(failures > 0)
