@@ -74,6 +74,7 @@ namespace fiberloom
   class ParameterCatalogue
   {
   public:
+    /** One entry with all that is said of it. */
     struct Entry
     {
       std::string section; // "Fabric/Warp", empty at the top

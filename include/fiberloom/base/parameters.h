@@ -46,6 +46,7 @@ namespace fiberloom
     }
   };
 
+  /** A fabric woven from two families of tows. */
   struct FabricParameters
   {
     std::string         pattern  = "plain";
@@ -123,6 +124,7 @@ namespace fiberloom
     std::string moment   = "0; 0; 0"; // [N mm] on free degrees of freedom
   };
 
+  /** Contact and friction between fibers. */
   struct ContactParameters
   {
     double friction_coefficient = 0.2;
@@ -135,6 +137,7 @@ namespace fiberloom
     std::string self_contact    = "automatic"; // automatic | true | false
   };
 
+  /** How overlapping tows are moved apart in stage "weave". */
   struct WeavingParameters
   {
     std::string path = "automatic"; // automatic | nested
@@ -144,6 +147,7 @@ namespace fiberloom
     unsigned int coarser_meshes           = 2;
   };
 
+  /** Stage "biaxial": pulls along warp and fill. */
   struct BiaxialParameters
   {
     double      largest_strain = 0.02;
@@ -220,6 +224,7 @@ namespace fiberloom
     static constexpr double largest_turn = M_PI / 12;
   };
 
+  /** How equilibrium is found, and how well. */
   struct SolverParameters
   {
     std::string loops = "newton"; // newton | nested
@@ -244,6 +249,7 @@ namespace fiberloom
     bool error_estimate = true;
   };
 
+  /** What is written, and how often. */
   struct OutputParameters
   {
     unsigned int fields_every =

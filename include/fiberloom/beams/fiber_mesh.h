@@ -53,6 +53,7 @@ namespace fiberloom
   class FiberMesh
   {
   public:
+    /** One fiber, as a piece of the mesh. */
     struct Line
     {
       unsigned int first_node;

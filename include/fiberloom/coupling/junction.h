@@ -119,6 +119,7 @@ namespace fiberloom
                       const double poisson_ratio,
                       const double distance_over_radius);
 
+  /** What find_junctions() finds. */
   struct FoundJunctions
   {
     std::vector<Junction> junctions;

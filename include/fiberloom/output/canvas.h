@@ -25,6 +25,7 @@ namespace fiberloom
   class Canvas
   {
   public:
+    /** Of a triangle; place as said above. */
     struct Corner
     {
       Vector3 position;

@@ -23,6 +23,7 @@ namespace fiberloom
   class IncrementTable
   {
   public:
+    /** One line of the file. */
     struct Row
     {
       unsigned int             stage_index; // position in the scene

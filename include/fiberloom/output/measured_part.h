@@ -18,6 +18,7 @@ namespace fiberloom
    * as far as possible from the ends of tows. */
   struct MeasuredPart
   {
+    /** The part of one tow. */
     struct TowPart
     {
       std::array<double, 2> fractions; // of the tow's length, from and to

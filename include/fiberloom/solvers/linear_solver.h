@@ -55,6 +55,7 @@ namespace fiberloom
       refused
     };
 
+    /** What a solution took. */
     struct Outcome
     {
       unsigned int iterations      = 0;
