@@ -82,7 +82,7 @@ def main():
     check_run("coated", "coated", *MATRIX, "Stages=weave, relax, coat")
     check_run("bent", "bent", *MATRIX, CURVE_ONLY, "Stages=bend", "Bending/Largest angle=0.15", restart=checkpoint)
     moments = [row["bending_moment[N.mm]"] for row in curve("bent")]
-    check(f"moment grows with the angle: {moments}", all(a < b for a, b in zip([0] + moments, moments)))
+    check(f"moment grows with the angle: {moments}", all(a < b for a, b in zip(moments, moments[1:])))
     check_run("pulled", "pulled", *MATRIX, CURVE_ONLY, "Stages=biaxial", "Biaxial/Largest strain=0.005", restart=checkpoint)
     last = curve("pulled")[-1]
     check(f"balanced: warp {last['force_warp[N]']}, fill {last['force_fill[N]']}",

@@ -16,6 +16,7 @@ import os
 import shutil
 import subprocess
 import sys
+import time
 
 PROGRAM, SOURCE = sys.argv[1:3]
 SCENES = os.path.join(SOURCE, "tests", "scenes")
@@ -58,6 +59,27 @@ def curve(directory, file="loading_curve.csv"):
     with open(os.path.join(directory, file)) as rows:
         return [{name: cell if name in ("stage", "body") else float(cell) for name, cell in row.items() if cell}
                 for row in csv.DictReader(rows)]
+
+
+def n_rows(directory):
+    """Rows of its curve so far."""
+    try:
+        return len(curve(directory))
+    except OSError:
+        return 0
+
+
+def interrupt(arguments, directory, how, after_rows):
+    """Status of a run that is interrupted once its curve has so many rows."""
+    process = subprocess.Popen(arguments,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    while n_rows(directory) < after_rows and process.poll() is None:
+        time.sleep(.01)
+    if how == "stop":
+        open(os.path.join(directory, "stop"), "w").close()
+    else:
+        process.send_signal(how)
+    return process.wait()
 
 
 def unit(column):

@@ -23,7 +23,7 @@ def rejected(directory):
 def main():
     check("woven", run(SMALL_WEAVE, "woven", "Stages=weave, relax").returncode == 0)
     for directory in ("large", "small"):
-        step = 1 if directory == "large" else curve("large")[0]["load"]
+        step = 1 if directory == "large" else curve("large")[1]["load"]
         settings = ["Stages=biaxial", f"Biaxial/First step={step}", *SETTINGS]
         done = run(SMALL_WEAVE, directory, *settings, restart=os.path.join("woven", "checkpoint"))
         check(f"first step {step}: status {done.returncode} {done.stderr}", done.returncode == 0)

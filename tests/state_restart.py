@@ -6,31 +6,9 @@
 import os
 import shutil
 import signal
-import subprocess
 import sys
-import time
 
-from program_runs import SCENES, SMALL_WEAVE, check, check_same, command, curve, finish, run
-
-
-def n_rows(directory):
-    try:
-        return len(curve(directory))
-    except OSError:
-        return 0
-
-
-def interrupt(arguments, directory, how, after_rows):
-    """Status of a run that is interrupted once its curve has so many rows."""
-    process = subprocess.Popen(arguments,
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    while n_rows(directory) < after_rows and process.poll() is None:
-        time.sleep(.01)
-    if how == "stop":
-        open(os.path.join(directory, "stop"), "w").close()
-    else:
-        process.send_signal(how)
-    return process.wait()
+from program_runs import SCENES, SMALL_WEAVE, check, check_same, command, curve, finish, interrupt, n_rows, run
 
 
 def check_same_files(straight, directory):

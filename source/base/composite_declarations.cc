@@ -17,13 +17,14 @@ namespace fiberloom
     {
       catalogue.add("Largest angle",
                     largest_angle,
-                    "Angle at the end of the test [rad].",
+                    "Angle at the end of the test, or where Way is 1 [rad].",
                     Allowed::from_to(1e-9, 3));
-      catalogue.add("First step",
-                    first_step,
-                    "First increment of the angle [rad]; never more than the "
-                    "largest step.",
-                    Allowed::from_to(1e-9, 1));
+      catalogue.add(
+        "First step",
+        first_step,
+        "First increment of the angle, and of each leg of Way [rad]; "
+        "never more than the largest step.",
+        Allowed::from_to(1e-9, 1));
       catalogue.add("Largest step",
                     largest_step,
                     "Largest increment of the angle [rad].",
@@ -122,6 +123,23 @@ namespace fiberloom
 
 
   void
+  declare_way(ParameterCatalogue  &catalogue,
+              std::vector<double> &way,
+              const std::string   &whole,
+              const int            lowest)
+  {
+    catalogue.add("Way",
+                  way,
+                  "Points between which the test goes to and fro, beginning at "
+                  "0, as parts of " +
+                    whole +
+                    ": 1, 0, 1, 0 are two cycles of loading and unloading.",
+                  Allowed::list_of(Allowed::from_to(lowest, 1), 1));
+  }
+
+
+
+  void
   declare_shear(ParameterCatalogue &catalogue, ShearParameters &shear)
   {
     catalogue.enter_section("Shear");
@@ -129,6 +147,7 @@ namespace fiberloom
                     shear.largest_angle,
                     shear.first_step,
                     shear.largest_step);
+    declare_way(catalogue, shear.way, "the largest angle", -1);
     catalogue.leave_section();
   }
 
@@ -145,6 +164,7 @@ namespace fiberloom
                     bend.largest_angle,
                     bend.first_step,
                     bend.largest_step);
+    declare_way(catalogue, bend.way, "the largest angle", -1);
     catalogue.leave_section();
   }
 } // namespace fiberloom

@@ -383,10 +383,6 @@ namespace fiberloom
                              " = " + exact_text(tows.overhang) +
                              ": a periodic cell has no tow ends; allowed: 0");
         }
-      if (parameters.biaxial.other_direction == "free" && !fabric.periodic)
-        throw InputError(parameters.where("Biaxial/Other direction") +
-                         " = free: tow ends are held; allowed: strained, or "
-                         "Fabric/Periodic = true");
     }
 
     void
@@ -421,6 +417,43 @@ namespace fiberloom
                          ": more than round fibers can be packed to; allowed: "
                          "below " +
                          exact_text(packed));
+    }
+
+    /** Legs that lead somewhere. */
+    void
+    check_way(const std::vector<double> &way, const std::string &where)
+    {
+      constexpr double shortest = 1e-3;
+      double           from     = 0;
+      for (unsigned int i = 0; i < way.size(); ++i)
+        {
+          if (std::abs(way[i] - from) < shortest && !(i == 0 && way.size() > 1))
+            throw InputError(where + " = " + exact_text(way) + ": from " +
+                             exact_text(from) + " to " + exact_text(way[i]) +
+                             " it is no way; allowed: points at least " +
+                             exact_text(shortest) +
+                             " apart, the first of them from 0");
+          from = way[i];
+        }
+    }
+
+    void
+    check_ways(const Parameters &parameters)
+    {
+      const BiaxialParameters &biaxial = parameters.biaxial;
+      check_way(biaxial.way, parameters.where("Biaxial/Way"));
+      check_way(parameters.shear.way, parameters.where("Shear/Way"));
+      check_way(parameters.bend.way, parameters.where("Bending/Way"));
+      check_way(parameters.compact.way, parameters.where("Compact/Way"));
+      for (const double part : biaxial.way)
+        for (const double ratio : {1., biaxial.strain_ratio})
+          if (const double strain = part * ratio * biaxial.largest_strain;
+              strain <= -1)
+            throw InputError(parameters.where("Biaxial/Way") + " = " +
+                             exact_text(biaxial.way) + ": a strain would be " +
+                             exact_text(strain) +
+                             ", and nothing is left of the sample; allowed: "
+                             "above -1");
     }
   } // namespace
 
@@ -504,6 +537,7 @@ namespace fiberloom
     check_distributed_loads(*this);
     check_cell(*this);
     check_compact(*this);
+    check_ways(*this);
     if (output.only_summary && !output.exports.empty())
       throw InputError(where("Output/Export") +
                        ": Output/Only summary is true, so nothing would be "

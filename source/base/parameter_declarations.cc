@@ -225,7 +225,7 @@ namespace fiberloom
       catalogue.add("Largest strain",
                     biaxial.largest_strain,
                     "Elongation of the sample in the leading direction at the "
-                    "end of the test, over its length.",
+                    "end of the test, or where Way is 1, over its length.",
                     Allowed::from_to(1e-9, 1));
       catalogue.add("Strain ratio",
                     biaxial.strain_ratio,
@@ -238,18 +238,20 @@ namespace fiberloom
                     Allowed::one_of("warp|fill"));
       catalogue.add("Other direction",
                     biaxial.other_direction,
-                    "Whether the other direction is strained by the ratio or, "
-                    "in a periodic cell, free of mean stress.",
+                    "Whether the other direction is strained by the ratio, or "
+                    "free: its tow ends move along their tows without force, "
+                    "in a periodic cell there is no mean stress along it.",
                     Allowed::one_of("strained|free"));
       catalogue.add("First step",
                     biaxial.first_step,
-                    "First increment, over the largest strain; never more "
-                    "than the largest step.",
+                    "First increment, and that of each leg of Way, over the "
+                    "largest strain; never more than the largest step.",
                     Allowed::from_to(1e-6, 1));
       catalogue.add("Largest step",
                     biaxial.largest_step,
                     "Largest increment, over the largest strain.",
                     Allowed::from_to(1e-6, 1));
+      declare_way(catalogue, biaxial.way, "the largest strain", -1);
       catalogue.leave_section();
     }
 
@@ -272,19 +274,16 @@ namespace fiberloom
                     "Force on a plate over the area of the cell at the end "
                     "[MPa].",
                     Allowed::at_least(0));
-      catalogue.add("Return",
-                    compact.return_way,
-                    "Whether the plates go back to where they began.",
-                    Allowed::true_or_false());
       catalogue.add("First step",
                     compact.first_step,
-                    "First increment, over the whole way; never more than the "
-                    "largest step.",
+                    "First increment, and that of each leg of Way, over the "
+                    "whole approach; never more than the largest step.",
                     Allowed::from_to(1e-6, 1));
       catalogue.add("Largest step",
                     compact.largest_step,
-                    "Largest increment, over the whole way.",
+                    "Largest increment, over the whole approach.",
                     Allowed::from_to(1e-6, 1));
+      declare_way(catalogue, compact.way, "the whole approach", 0);
       catalogue.leave_section();
     }
 

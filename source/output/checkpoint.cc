@@ -26,7 +26,7 @@
 #include <cstring>
 #include <sstream>
 
-BOOST_CLASS_VERSION(fiberloom::StageStatistics, 6)
+BOOST_CLASS_VERSION(fiberloom::StageStatistics, 7)
 
 namespace boost
 {
@@ -44,6 +44,13 @@ namespace boost
 
   namespace serialization
   {
+    template <class Archive>
+    void
+    serialize(Archive &ar, fiberloom::TurningPoint &point, const unsigned int)
+    {
+      ar &point.part &point.work &point.friction &point.stored;
+    }
+
     template <class Archive>
     void
     serialize(Archive                    &ar,
@@ -75,6 +82,8 @@ namespace boost
         ar &s.membrane_stiffness;
       if (version >= 6)
         ar &s.coarse_iterations &s.seconds.coarse;
+      if (version >= 7)
+        ar &s.turning_points;
     }
 
     template <class Archive>

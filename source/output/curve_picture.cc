@@ -34,7 +34,7 @@ namespace fiberloom
     {
       std::string              abscissa_name = "load";
       Values                   abscissa;
-      std::string              unit;
+      std::string              quantity; // "force [N]"
       std::vector<std::string> names;
       std::vector<Values>      ordinates;
     };
@@ -49,7 +49,8 @@ namespace fiberloom
     bool
     is_deformation(const std::string &name)
     {
-      for (const char *start : {"strain", "shear_angle", "bending_angle"})
+      for (const char *start :
+           {"strain", "shear_angle", "bending_angle", "fiber_volume_fraction"})
         if (name.rfind(start, 0) == 0)
           return true;
       return false;
@@ -97,17 +98,27 @@ namespace fiberloom
                      const unsigned int  stage,
                      CurvePlot          &plot)
     {
-      for (const char *unit : {"[N]", "[N.mm]"})
+      struct Quantity
+      {
+        const char *name, *part, *end;
+      };
+      for (const Quantity &quantity :
+           {Quantity{"moment [N.mm]", "bending_moment", "[N.mm]"},
+            Quantity{"force [N]", "", "[N]"},
+            Quantity{"moment [N.mm]", "moment", "[N.mm]"},
+            Quantity{"pressure [MPa]", "pressure", "[MPa]"}})
         {
           for (unsigned int c = 0; c < curve.columns().size(); ++c)
-            if (ends_with(curve.columns()[c], unit) &&
-                curve.columns()[c].find("contact_force") == std::string::npos &&
+            if (const std::string &column = curve.columns()[c];
+                ends_with(column, quantity.end) &&
+                column.find(quantity.part) != std::string::npos &&
+                column.find("contact_force") == std::string::npos &&
                 has_values(curve.values(stage, c)))
               {
-                plot.names.push_back(curve.columns()[c]);
+                plot.names.push_back(column);
                 plot.ordinates.push_back(curve.values(stage, c));
               }
-          plot.unit = unit;
+          plot.quantity = quantity.name;
           if (!plot.names.empty())
             return;
         }
@@ -201,7 +212,7 @@ namespace fiberloom
                      16,
                      SvgPicture::Anchor::middle);
         picture.text({{26, .5 * (top + bottom)}},
-                     (plot.unit == "[N]" ? "force " : "moment ") + plot.unit,
+                     plot.quantity,
                      16,
                      SvgPicture::Anchor::middle,
                      true);
@@ -209,6 +220,29 @@ namespace fiberloom
 
       void
       error_band(const unsigned int i)
+      {
+        // A polygon for each way in one direction: over a loop it would be
+        // folded.
+        const std::size_t n     = plot.abscissa.size();
+        std::size_t       first = 0;
+        const auto        turns = [&](const std::size_t k) {
+          return (plot.abscissa[k] - plot.abscissa[k - 1]) *
+                   (plot.abscissa[k + 1] - plot.abscissa[k]) <
+                 0;
+        };
+        for (std::size_t k = 1; k < n; ++k)
+          if (k + 1 == n || turns(k))
+            {
+              error_band(i, first, k);
+              first = k;
+            }
+      }
+
+      /** From row @p first to row @p last . */
+      void
+      error_band(const unsigned int i,
+                 const std::size_t  first,
+                 const std::size_t  last)
       {
         std::vector<SvgPicture::Point> border;
         const auto append = [&](const std::size_t k, const double side) {
@@ -218,10 +252,9 @@ namespace fiberloom
               {{x(plot.abscissa[k]),
                 y(std::max(plot.ordinates[i][k] + side * band, y_range.low))}});
         };
-        const std::size_t n = plot.abscissa.size();
-        for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t k = first; k <= last; ++k)
           append(k, 1);
-        for (std::size_t k = n; k-- > 0;)
+        for (std::size_t k = last + 1; k-- > first;)
           append(k, -1);
         const Color light = curve_color(plot.names[i], i).lighter(.7);
         picture.polygon(border, light, light, 0);

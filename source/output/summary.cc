@@ -7,6 +7,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <cmath>
 #include <cstdio>
 #include <iomanip>
@@ -17,6 +19,25 @@ namespace fiberloom
 {
   namespace
   {
+    template <typename Number>
+    std::string
+    number_json(const Number value)
+    {
+      std::ostringstream text;
+      text << std::setprecision(15);
+      if (std::isfinite(static_cast<double>(value)))
+        text << value;
+      else
+        text << "null";
+      return text.str();
+    }
+
+    std::string
+    list_json(const std::vector<std::string> &values)
+    {
+      return "[" + boost::algorithm::join(values, ", ") + "]";
+    }
+
     /** Members of one JSON object, one after the other. */
     class JsonObject
     {
@@ -41,13 +62,7 @@ namespace fiberloom
       std::enable_if_t<std::is_arithmetic_v<Number>, JsonObject &>
       member(const std::string &name, const Number value)
       {
-        std::ostringstream text;
-        text << std::setprecision(15);
-        if (std::isfinite(static_cast<double>(value)))
-          text << value;
-        else
-          text << "null";
-        return raw(name, text.str());
+        return raw(name, number_json(value));
       }
 
       JsonObject &
@@ -115,6 +130,31 @@ namespace fiberloom
       return text + "]]";
     }
 
+    /** Energies of the cycles of a way, two legs each, of which the second
+     * leads back to where the first began. */
+    void
+    add_cycles(const std::vector<TurningPoint> &turning_points,
+               JsonObject                      &object)
+    {
+      std::vector<std::string> lost, friction, stored;
+      for (unsigned int i = 2; i < turning_points.size(); ++i)
+        {
+          const TurningPoint &from = turning_points[i - 2],
+                             &to   = turning_points[i];
+          if (from.part != to.part)
+            continue;
+          lost.push_back(number_json(to.work - from.work));
+          friction.push_back(number_json(to.friction - from.friction));
+          stored.push_back(number_json(to.stored - from.stored));
+          ++i;
+        }
+      if (lost.empty())
+        return;
+      object.raw("energy_lost_per_cycle[mJ]", list_json(lost))
+        .raw("friction_loss_per_cycle[mJ]", list_json(friction))
+        .raw("change_of_stored_energy_per_cycle[mJ]", list_json(stored));
+    }
+
     std::string
     stage_json(const StageStatistics &stage)
     {
@@ -167,6 +207,7 @@ namespace fiberloom
       if (!stage.membrane_stiffness.empty())
         object.raw("membrane_stiffness_N_per_mm",
                    matrix_json(stage.membrane_stiffness));
+      add_cycles(stage.turning_points, object);
       return object.str();
     }
 

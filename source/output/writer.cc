@@ -205,6 +205,14 @@ namespace fiberloom
   {
     const SecondsGuard guard(output_seconds);
     const State       &state = report.state;
+    if (state.increment == 0)
+      {
+        // Where a stage begins; the checkpoint at the end of the one before
+        // leads here.
+        if (!parameters.output.only_summary)
+          write_tables(report);
+        return;
+      }
 
     statistics_before = statistics;
     log_size_before   = log_size;

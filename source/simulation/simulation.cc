@@ -480,10 +480,19 @@ namespace fiberloom
                 comm,
                 [&stop]() { return stop.requested(); },
                 state);
-              run.run(state, std::ref(writer));
+              StageRun::Estimate estimated;
+              if (parameters.solver.error_estimate)
+                estimated = [&](const State &before, const State &reached) {
+                  estimate(scene, before, reached, statistics, stop);
+                };
+              run.run(state, std::ref(writer), estimated);
               before_last = run.before_last();
             }
-            if (parameters.solver.error_estimate && before_last.q.size() > 0)
+            // A way that turns has been farther from its start before.
+            const bool farthest =
+              !stage->way() || stage->way()->farthest() == 1;
+            if (parameters.solver.error_estimate && farthest &&
+                before_last.q.size() > 0)
               estimate(scene, before_last, state, statistics, stop);
           }
         catch (const StopRequested &)

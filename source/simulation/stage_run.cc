@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fiberloom
 {
@@ -40,6 +41,25 @@ namespace fiberloom
         if (contact.friction_limit > 0)
           dissipation += dissipated_energy(contact, section_pair(contact, q));
       return dissipation;
+    }
+
+    /** Of the bodies between two accepted states by the trapezoidal rule
+     * [N mm]; NaN where the first comes from a file without reactions. */
+    double
+    work(const State &before, const State &after)
+    {
+      if (before.reactions.size() != after.reactions.size())
+        return std::numeric_limits<double>::quiet_NaN();
+      double work = 0;
+      for (unsigned int b = 0; b < after.reactions.size(); ++b)
+        {
+          const Placement &from = before.placements[b],
+                          &to   = after.placements[b];
+          BodyVector motion;
+          motion << to.position - from.position, to.turn - from.turn;
+          work += .5 * (before.reactions[b] + after.reactions[b]).dot(motion);
+        }
+      return work;
     }
 
     std::vector<FrictionHistory>
@@ -101,7 +121,9 @@ namespace fiberloom
 
 
   void
-  StageRun::run(State &state, const IncrementObserver &observer)
+  StageRun::run(State                   &state,
+                const IncrementObserver &observer,
+                const Estimate          &estimate)
   {
     ScopedTimer timer(statistics.seconds.wall);
     load_at_start = state.load;
@@ -113,10 +135,12 @@ namespace fiberloom
         state              = std::move(first);
         if (arrived)
           show(state, observer);
+        else if (stage.is_test())
+          show_start(state, observer);
       }
     while (state.load < 1)
       {
-        take_increment(state);
+        take_increment(state, estimate);
         show(state, observer);
       }
     statistics.converged = true;
@@ -178,6 +202,30 @@ namespace fiberloom
 
 
   void
+  StageRun::take_increment(State &state, const Estimate &estimate)
+  {
+    const State           before  = state;
+    const StageStatistics counted = statistics;
+    take_increment(state);
+    if (!estimate || !stage.way() || state.load >= 1 ||
+        state.load != stage.way()->farthest())
+      return;
+    try
+      {
+        estimate(before, state);
+      }
+    catch (const StopRequested &)
+      {
+        // Not shown yet, it is done again.
+        state      = before;
+        statistics = counted;
+        throw;
+      }
+  }
+
+
+
+  void
   StageRun::take_increment(State &state)
   {
     const SolverParameters &solver = scene.parameters.solver;
@@ -211,6 +259,7 @@ namespace fiberloom
             if (load >= 1)
               last_start = state;
             accept(state, std::move(found), load);
+            turn(state);
             return;
           }
 
@@ -311,6 +360,11 @@ namespace fiberloom
           from.turn +
           rotation_vector(from.rotation, to.rotation, to.turn - from.turn);
       }
+    if (stage.way())
+      {
+        found.reactions = system.reactions();
+        found.work += work(state, found);
+      }
     found.previous = {std::move(state.q),
                       std::move(state.placements),
                       state.load};
@@ -344,6 +398,44 @@ namespace fiberloom
 
 
   void
+  StageRun::turn(State &state)
+  {
+    if (!stage.way() || !stage.way()->ends_leg(state.load))
+      return;
+    state.step     = stage.first_step(state);
+    state.previous = {};
+    statistics.turning_points.push_back({stage.way()->at(state.load),
+                                         state.work,
+                                         state.dissipation,
+                                         statistics.elastic_energy});
+  }
+
+
+
+  void
+  StageRun::show_start(State &state, const IncrementObserver &observer)
+  {
+    State                      seen = state;
+    const Equilibrium::Problem problem{
+      state,
+      {stage.targets(state.stage_start_placements, 0), stage.node_forces(0)},
+      stage.rule(0)};
+    equilibrium.evaluate(seen, problem);
+    if (stage.way())
+      {
+        state.reactions           = system.reactions();
+        statistics.turning_points = {
+          {0,
+           0,
+           state.dissipation,
+           system.stored_energy(state, equilibrium.contacts())}};
+      }
+    report(state, observer);
+  }
+
+
+
+  void
   StageRun::show(const State &state, const IncrementObserver &observer)
   {
     log.write(increment_line(state));
@@ -357,13 +449,23 @@ namespace fiberloom
                            system.reactions(),
                            system.layout().communicator(),
                            statistics);
+    report(state, observer);
+  }
 
+
+
+  void
+  StageRun::report(const State &state, const IncrementObserver &observer) const
+  {
     CurveRow curve = stage.curve(state, system.reactions());
     if (scene.fibers.cell)
       for (const auto &column : Cell::curve(scene, state, system.reactions()))
         curve.push_back(column);
     if (stage.shows_neighbors())
       curve.emplace_back("neighbor_force[N]", force_of_neighbors());
+    if (stage.way())
+      for (const auto &column : energies(state))
+        curve.push_back(column);
     if (stage.shows_balance())
       for (const auto &column : balance(state))
         curve.push_back(column);
@@ -427,7 +529,20 @@ namespace fiberloom
             {"elastic_energy[N.mm]",
              system.stored_energy(state, equilibrium.contacts())},
             {"dissipation[N.mm]", state.dissipation},
-            {"negative_pivots", double(equilibrium.negative_pivots())}};
+            {"negative_pivots",
+             state.increment > 0 ? equilibrium.negative_pivots() :
+                                   std::numeric_limits<double>::quiet_NaN()}};
+  }
+
+
+
+  CurveRow
+  StageRun::energies(const State &state) const
+  {
+    return {{"work[N.mm]", state.work},
+            {"elastic_energy[N.mm]",
+             system.stored_energy(state, equilibrium.contacts())},
+            {"dissipation[N.mm]", state.dissipation}};
   }
 
 

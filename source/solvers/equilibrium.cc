@@ -240,6 +240,15 @@ namespace fiberloom
 
 
 
+  void
+  Equilibrium::evaluate(State &state, const Problem &problem)
+  {
+    increment.generate(state, problem);
+    increment.measure(state, problem);
+  }
+
+
+
   bool
   Equilibrium::find(State &state, const Problem &problem)
   {

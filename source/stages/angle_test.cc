@@ -6,8 +6,6 @@
 #include <fiberloom/stages/angle_test.h>
 #include <fiberloom/stages/matrix_borders.h>
 
-#include <algorithm>
-
 namespace fiberloom
 {
   namespace
@@ -18,14 +16,9 @@ namespace fiberloom
 
 
 
-  AngleTest::AngleTest(const Scene &scene,
-                       const double largest_angle,
-                       const double first_step,
-                       const double largest_step)
+  AngleTest::AngleTest(const Scene &scene, const AngleWay &angles)
     : Stage(scene)
-    , largest_angle(largest_angle)
-    , first_angle(std::min(first_step, largest_step))
-    , largest_angle_step(largest_step)
+    , angles(angles)
   {}
 
 
@@ -63,7 +56,8 @@ namespace fiberloom
   AngleTest::guess(const State &state, const double load_step) const
   {
     // A short while ago: what bodies hold hardly turns with them then.
-    const double from = angle(state), step = load_step * largest_angle,
+    const double from         = angle_at(state.load),
+                 step         = angle_at(state.load + load_step) - from,
                  part         = guess_step / load_step;
     const DofVector &start    = state.stage_start_q;
     const auto       has_gone = [&](const auto &position) -> Vector3 {
@@ -111,7 +105,7 @@ namespace fiberloom
     std::vector<BodyTarget> targets(start.size());
     for (unsigned int b = 0; b < start.size(); ++b)
       targets[b].placement = border(b) < MatrixBorders::n_bodies ?
-                               move(start, b, load * largest_angle) :
+                               move(start, b, angle_at(load)) :
                                start[b];
     return targets;
   }

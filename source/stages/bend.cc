@@ -25,9 +25,10 @@ namespace fiberloom
 
   Bend::Bend(const Scene &scene)
     : AngleTest(scene,
-                scene.parameters.bend.largest_angle,
-                scene.parameters.bend.first_step,
-                scene.parameters.bend.largest_step)
+                {scene.parameters.bend.largest_angle,
+                 scene.parameters.bend.first_step,
+                 scene.parameters.bend.largest_step,
+                 Way(scene.parameters.bend.way)})
     , axis(scene.parameters.bend.direction == "warp" ? 0 : 1)
   {
     const Extent extent = skin_extent(scene.mesh, scene.mesh.initial());
@@ -39,8 +40,7 @@ namespace fiberloom
   Supports
   Bend::supports(const DofVector &) const
   {
-    Supports supports =
-      TowEnds::supports(scene, false, MatrixBorders::Grip::whole);
+    Supports supports = TowEnds::supports(scene, 0, MatrixBorders::Grip::whole);
     // What a free body holds stays together, but goes where it likes; on the
     // matrix it would be a frame.
     const unsigned int n_tow_ends = 2 * scene.fibers.tows.size();
@@ -87,7 +87,7 @@ namespace fiberloom
                   other     = border_center(start, 1 - side);
     const double half       = .5 * angle;
     // Half the chord of an arc over its half length.
-    const double            shortening = half > 0 ? std::sin(half) / half : 1;
+    const double            shortening = boost::math::sinc_pi(half);
     const Vector3           middle     = .5 * (here + other);
     const Eigen::AngleAxisd turn(sign * half, turning_axis(axis));
 
@@ -143,7 +143,7 @@ namespace fiberloom
                                            lever.cross(reactions[b].head<3>()));
           force += .5 * sign * reactions[b][axis];
         }
-    return {{"bending_angle[rad]", angle(state)},
+    return {{"bending_angle[rad]", angle_at(state.load)},
             {"bending_moment[N.mm]", moment},
             {"axial_force[N]", force}};
   }

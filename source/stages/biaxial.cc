@@ -10,6 +10,7 @@ namespace fiberloom
 {
   Biaxial::Biaxial(const Scene &scene)
     : Stage(scene)
+    , turning(scene.parameters.biaxial.way)
   {
     const BiaxialParameters &biaxial = scene.parameters.biaxial;
     warp_strain = fill_strain = biaxial.largest_strain;
@@ -25,8 +26,8 @@ namespace fiberloom
   Supports
   Biaxial::supports(const DofVector &) const
   {
-    return scene.fibers.cell ? Cell::supports(scene, free) :
-                               TowEnds::supports(scene, false);
+    return scene.fibers.cell ? Cell::supports(scene, free.to_ulong()) :
+                               TowEnds::supports(scene, free);
   }
 
 
@@ -43,11 +44,14 @@ namespace fiberloom
   Biaxial::guess(const State &state, const double load_step) const
   {
     // As if all had been drawn out evenly until now.
-    const auto draw = [&](auto position) {
-      position.x() *=
-        1 - load_step * warp_strain / (1 + state.load * warp_strain);
-      position.y() *=
-        1 - load_step * fill_strain / (1 + state.load * fill_strain);
+    const double next       = state.load + load_step;
+    const double along_warp = warp_strain_at(state.load) - warp_strain_at(next),
+                 along_fill = fill_strain_at(state.load) - fill_strain_at(next),
+                 warp_change = along_warp / (1 + warp_strain_at(state.load)),
+                 fill_change = along_fill / (1 + fill_strain_at(state.load));
+    const auto draw          = [&](auto position) {
+      position.x() *= 1 + warp_change;
+      position.y() *= 1 + fill_change;
     };
     Past past{state.q, state.placements, state.load - load_step};
     for (unsigned int n = 0; n < scene.mesh.n_nodes(); ++n)
@@ -55,11 +59,10 @@ namespace fiberloom
     for (Eigen::Index i = 9 * scene.mesh.n_nodes(); i < past.q.size(); i += 3)
       draw(past.q.segment<3>(i));
     if (scene.fibers.cell)
-      past.placements[Cell::body] = Cell::strained(
-        scene,
-        state.placements[Cell::body],
-        -load_step * warp_strain / (1 + state.load * warp_strain),
-        -load_step * fill_strain / (1 + state.load * fill_strain));
+      past.placements[Cell::body] = Cell::strained(scene,
+                                                   state.placements[Cell::body],
+                                                   warp_change,
+                                                   fill_change);
     else
       for (Placement &placement : past.placements)
         draw(Eigen::Map<Vector3>(placement.position.data()));
@@ -76,15 +79,15 @@ namespace fiberloom
       {
         targets[Cell::body].placement = Cell::strained(scene,
                                                        start[Cell::body],
-                                                       load * warp_strain,
-                                                       load * fill_strain);
+                                                       warp_strain_at(load),
+                                                       fill_strain_at(load));
         return targets;
       }
     for (unsigned int b = 0; b < start.size(); ++b)
       {
         targets[b].placement = start[b];
-        targets[b].placement.position.x() *= 1 + load * warp_strain;
-        targets[b].placement.position.y() *= 1 + load * fill_strain;
+        targets[b].placement.position.x() *= 1 + warp_strain_at(load);
+        targets[b].placement.position.y() *= 1 + fill_strain_at(load);
       }
     return targets;
   }
@@ -94,7 +97,7 @@ namespace fiberloom
   double
   Biaxial::first_step(const State &) const
   {
-    return scene.parameters.biaxial.first_step;
+    return scene.parameters.biaxial.first_step / turning.length();
   }
 
 
@@ -102,7 +105,25 @@ namespace fiberloom
   double
   Biaxial::largest_step() const
   {
-    return scene.parameters.biaxial.largest_step;
+    return scene.parameters.biaxial.largest_step / turning.length();
+  }
+
+
+
+  double
+  Biaxial::free_strain(const unsigned int direction, const State &state) const
+  {
+    const auto length = [&](const std::vector<Placement> &placements) {
+      if (scene.fibers.cell)
+        return Cell::periods(scene, placements[Cell::body])[direction];
+      double length = 0;
+      for (unsigned int t = 0; t < scene.fibers.tows.size(); ++t)
+        if (fiberloom::direction(scene.fibers.tows[t]) == direction)
+          length += placements[TowEnds::body(t, 1)].position[direction] -
+                    placements[TowEnds::body(t, 0)].position[direction];
+      return length;
+    };
+    return length(state.placements) / length(state.stage_start_placements) - 1;
   }
 
 
@@ -111,13 +132,11 @@ namespace fiberloom
   Biaxial::curve(const State                   &state,
                  const std::vector<BodyVector> &reactions) const
   {
-    double strains[2] = {state.load * warp_strain, state.load * fill_strain};
+    double strains[2] = {warp_strain_at(state.load),
+                         fill_strain_at(state.load)};
     for (unsigned int d = 0; d < 2; ++d)
       if (free[d])
-        strains[d] =
-          Cell::periods(scene, state.placements[Cell::body])[d] /
-            Cell::periods(scene, state.stage_start_placements[Cell::body])[d] -
-          1;
+        strains[d] = free_strain(d, state);
     return {
       {"strain_warp", strains[0]},
       {"strain_fill", strains[1]},

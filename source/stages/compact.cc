@@ -38,6 +38,7 @@ namespace fiberloom
   Compact::Compact(const Scene &scene)
     : Stage(scene)
     , parameters(scene.parameters.compact)
+    , turning(scene.parameters.compact.way)
     , fiber_volume(0)
   {
     for (const auto &line : scene.mesh.lines())
@@ -90,14 +91,6 @@ namespace fiberloom
 
 
   double
-  Compact::way(const double load) const
-  {
-    return parameters.return_way ? 1 - std::abs(2 * load - 1) : load;
-  }
-
-
-
-  double
   Compact::area(const std::vector<Placement> &placements) const
   {
     const auto periods = Cell::periods(scene, placements[Cell::body]);
@@ -123,10 +116,11 @@ namespace fiberloom
     Past past{state.q, state.placements, state.load - load_step};
     if (parameters.pressure > 0)
       return {};
-    const double start  = state.stage_start_placements[plates].position[0],
-                 end    = last_distance(state.stage_start_placements),
-                 now    = state.placements[plates].position[0],
-                 next   = start + way(state.load + load_step) * (end - start);
+    const double start = state.stage_start_placements[plates].position[0],
+                 end   = last_distance(state.stage_start_placements),
+                 now   = state.placements[plates].position[0],
+                 next =
+                   start + turning.at(state.load + load_step) * (end - start);
     const double middle = state.placements[plates].position[2];
     const double ratio  = (2 * now - next) / now;
     for (unsigned int n = 0; n < scene.mesh.n_nodes(); ++n)
@@ -145,10 +139,10 @@ namespace fiberloom
       targets.push_back({placement});
     if (parameters.pressure > 0)
       targets[plates].load[0] = -parameters.pressure * area(start) *
-                                std::max(least_pressure, way(load));
+                                std::max(least_pressure, turning.at(load));
     else
       targets[plates].placement.position[0] +=
-        way(load) * (last_distance(start) - start[plates].position[0]);
+        turning.at(load) * (last_distance(start) - start[plates].position[0]);
     return targets;
   }
 
@@ -157,7 +151,7 @@ namespace fiberloom
   double
   Compact::first_step(const State &) const
   {
-    return parameters.first_step;
+    return parameters.first_step / turning.length();
   }
 
 
@@ -165,15 +159,7 @@ namespace fiberloom
   double
   Compact::largest_step() const
   {
-    return parameters.largest_step;
-  }
-
-
-
-  double
-  Compact::next_stop(const double load) const
-  {
-    return parameters.return_way && load < .5 ? .5 : 1;
+    return parameters.largest_step / turning.length();
   }
 
 

@@ -88,7 +88,10 @@ namespace fiberloom
 
 
     void
-    add(const Scene &scene, const Grip grip, Supports &supports)
+    add(const Scene         &scene,
+        const Grip           grip,
+        const std::bitset<2> free,
+        Supports            &supports)
     {
       if (scene.composite == nullptr)
         return;
@@ -100,6 +103,10 @@ namespace fiberloom
         }
       if (grip == Grip::none)
         return;
+      for (unsigned int body = 0; body < number_of_bodies(grip); ++body)
+        for (unsigned int axis = 0; axis < 2; ++axis)
+          if (free[axis] && (borders_of_body(body) >> 2 * axis & 3) != 0)
+            supports.bodies[first + body].prescribed[axis] = false;
       const auto borders_of_node = borders(scene.composite->matrix());
       for (unsigned int node = 0; node < borders_of_node.size(); ++node)
         if (const unsigned int on = borders_of_node[node]; on != 0)

@@ -12,7 +12,7 @@ namespace fiberloom
   Supports
   Relax::supports(const DofVector &) const
   {
-    return TowEnds::supports(scene, true);
+    return TowEnds::supports(scene, 3);
   }
 
 

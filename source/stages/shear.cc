@@ -23,9 +23,10 @@ namespace fiberloom
 
   Shear::Shear(const Scene &scene)
     : AngleTest(scene,
-                scene.parameters.shear.largest_angle,
-                scene.parameters.shear.first_step,
-                scene.parameters.shear.largest_step)
+                {scene.parameters.shear.largest_angle,
+                 scene.parameters.shear.first_step,
+                 scene.parameters.shear.largest_step,
+                 Way(scene.parameters.shear.way)})
   {}
 
 
@@ -33,7 +34,7 @@ namespace fiberloom
   Supports
   Shear::supports(const DofVector &) const
   {
-    return TowEnds::supports(scene, false, MatrixBorders::Grip::whole);
+    return TowEnds::supports(scene, 0, MatrixBorders::Grip::whole);
   }
 
 
@@ -77,8 +78,8 @@ namespace fiberloom
                const std::vector<BodyVector> &reactions) const
   {
     // Of the bars of the frame, by the power of all bodies.
-    const double c = std::cos(.5 * angle(state)),
-                 s = std::sin(.5 * angle(state));
+    const double c = std::cos(.5 * angle_at(state.load)),
+                 s = std::sin(.5 * angle_at(state.load));
     double moment = 0, length = 0;
     for (unsigned int b = 0; b < reactions.size(); ++b)
       if (border(b) < 4)
@@ -89,7 +90,7 @@ namespace fiberloom
                     half_turn(runs_along_x(b)) * reactions[b][5];
           length = std::max(length, 2 * std::abs(from.x()));
         }
-    return {{"shear_angle[rad]", angle(state)},
+    return {{"shear_angle[rad]", angle_at(state.load)},
             {"shear_force[N]", moment / length},
             {"shear_moment[N.mm]", moment}};
   }

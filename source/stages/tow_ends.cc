@@ -59,11 +59,11 @@ namespace fiberloom
 
     Supports
     supports(const Scene              &scene,
-             const bool                axially_free,
+             const std::bitset<2>      free,
              const MatrixBorders::Grip grip)
     {
       if (scene.fibers.cell)
-        return Cell::supports(scene, axially_free ? 3 : 0, true, axially_free);
+        return Cell::supports(scene, free.to_ulong(), true, free.all());
       const auto &tows = scene.fibers.tows;
       Supports    supports;
       for (const Tow &tow : tows)
@@ -72,11 +72,11 @@ namespace fiberloom
             RigidBody body;
             body.name = family_name(tow) + "_" + std::to_string(tow.number) +
                         (side == 0 ? "_start" : "_end");
-            const bool is_warp = tow.family == Tow::Family::warp;
-            if (axially_free)
-              body.prescribed[is_warp ? 0 : 1] = false;
-            if (axially_free && has_layers(scene.mesh, tow))
-              body.prescribed[is_warp ? 4 : 3] = false; // slopes with the tow
+            const unsigned int along = direction(tow);
+            if (free[along])
+              body.prescribed[along] = false;
+            if (free[along] && has_layers(scene.mesh, tow))
+              body.prescribed[4 - along] = false; // slopes with the tow
             for (const unsigned int fiber : tow.fibers)
               supports.attachments.push_back(
                 attach(scene.mesh.initial(),
@@ -88,8 +88,8 @@ namespace fiberloom
 
       RigidBody ground;
       ground.name = "ground";
-      if (axially_free)
-        for (const Tow &tow : tows)
+      for (const Tow &tow : tows)
+        if (free[direction(tow)])
           for (const unsigned int fiber : tow.fibers)
             {
               const auto &line = scene.mesh.lines()[fiber];
@@ -101,7 +101,8 @@ namespace fiberloom
             }
       supports.bodies.push_back(ground);
       MatrixBorders::add(scene,
-                         axially_free ? MatrixBorders::Grip::none : grip,
+                         free.all() ? MatrixBorders::Grip::none : grip,
+                         free,
                          supports);
       return supports;
     }

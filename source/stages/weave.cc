@@ -28,7 +28,7 @@ namespace fiberloom
   Supports
   Weave::supports(const DofVector &) const
   {
-    return TowEnds::supports(scene, true);
+    return TowEnds::supports(scene, 3);
   }
 
 

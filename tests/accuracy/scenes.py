@@ -51,8 +51,9 @@ def error(rows, reference):
 
 
 def at(rows, load):
-    """Values at a load, by straight lines between rows that begin with 0."""
-    rows = [[0] * len(rows[0])] + rows
+    """Values at a load, by straight lines between rows; before the first one, from 0."""
+    if rows[0][0] > 0:
+        rows = [[0] * len(rows[0])] + rows
     for before, after in zip(rows, rows[1:]):
         if load <= after[0] * (1 + 1e-9):
             part = (load - before[0]) / (after[0] - before[0])

@@ -179,7 +179,7 @@ def overlap(run):
             z = .016 * (1 - part)
             result = run(f"Fibers/Polylines=-0.5 0 0, 0.5 0 0; 0 -0.5 {z:.6g}, 0 0.5 {z:.6g}", "Load/Probes=all at 0.5",
                          "Drive upper/Translation=0; 0; 0", scene="k1_crossed")
-            apart = [(row["probe_1_at_0.5_z[mm]"] - row["probe_0_at_0.5_z[mm]"]) / .016 for row in result.rows]
+            apart = [(row["probe_1_at_0.5_z[mm]"] - row["probe_0_at_0.5_z[mm]"]) / .016 for row in result.increments]
             # Which one is above when axes coincide is open, but not that it stays there.
             apart = [a * math.copysign(1, apart[0]) if part == 1 else a for a in apart]
             farthest = max(apart, key=lambda a: abs(a - 1))

@@ -26,7 +26,7 @@ def change(result, angle_of, quantity, unit):
     """Largest, over the size of the vector, of what a drive exerts."""
     start = None
     largest = 0
-    for row in result.rows:
+    for row in result.increments:
         vector = turned([row[f"{quantity}_{axis}[{unit}]"] for axis in "xyz"], -angle_of(row))
         start = start or vector
         largest = max(largest, math.dist(vector, start) / math.hypot(*start))
@@ -42,6 +42,6 @@ def judge(run):
                 largest = change(result, lambda row: math.radians(10 * (row["t"] - 1)), f"{drive}_{quantity}", unit)
                 yield Check(f"change of {quantity} of the {drive} fiber's ends, {with_friction}", 0, largest, 1e-10, absolute=True)
         for column in ("contact_force_sum[N]", "elastic_energy[N.mm]"):
-            start = result.rows[0][column]
-            largest = max(abs(row[column] / start - 1) for row in result.rows)
+            start = result.increments[0][column]
+            largest = max(abs(row[column] / start - 1) for row in result.increments)
             yield Check(f"change of {column}, {with_friction}", 0, largest, 1e-10, absolute=True)

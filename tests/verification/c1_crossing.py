@@ -23,6 +23,6 @@ def pull_across(row, drive, probe):
 
 def judge(run):
     result = run()
-    for row in result.rows[1:]:
+    for row in result.increments[1:]:
         yield Check(f"T1 sin(theta1) over T2 sin(theta2) at t = {row['t']:.2f}, penetration {result.penetration:.3f} r", 1,
                     pull_across(row, "lower", "probe_0_at_0.5") / pull_across(row, "upper", "probe_1_at_0.5"), .03)

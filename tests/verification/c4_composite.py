@@ -33,12 +33,12 @@ def judge(run):
     result = run()
     rows = [row for row in result.rows if row["stage"] == "shear"]
     angle, moment = ([row[name] for row in rows] for name in ("shear_angle[rad]", "shear_moment[N.mm]"))
-    slope = [(after - before) / (b - a) for before, after, a, b in zip([0] + moment, moment, [0] + angle, angle)]
+    slope = [(after - before) / (b - a) for before, after, a, b in zip(moment, moment[1:], angle, angle[1:])]
     meeting = (slope[-1] * angle[-1] - moment[-1]) / (slope[-1] - slope[0])
     what = f"w/p = {width:.4g}/{pitch:.4g}, penetration {result.penetration:.3f} r"
     yield Check(f"locking angle [rad], {what}", locking, meeting, .1)
     yield Check("angle at which neighboring tows press on each other [rad]", locking,
                 next(row["shear_angle[rad]"] for row in rows if row["neighbor_force[N]"] > 0), .1)
-    free = max(s for s, a in zip(slope, angle) if a < .9 * locking)
+    free = max(s for s, a in zip(slope, angle[1:]) if a < .9 * locking)
     yield Bound("tangent at the end over the steepest below 0.9 of that angle", slope[-1] / free, least=2)
     yield Bound("angle at the end [rad]", angle[-1], least=.6)

@@ -20,7 +20,7 @@ def judge(run):
     result = run()
     area = math.pi * RADIUS ** 2
     stiffness = MATRIX * WIDTH * HEIGHT ** 3 / 12 + 4 * YOUNG * area * (RADIUS ** 2 / 4 + Z ** 2)
-    rows = [row for row in result.rows if row["stage"] == "load"]
+    rows = [row for row in result.increments if row["stage"] == "load"]
     angle = rows[0]["right_ry[rad]"] - rows[0]["left_ry[rad]"]
     yield Check(f"moment at {angle:.4f} rad over (EI)_c angle/L", 1, rows[0]["right_moment_y[N.mm]"] / (stiffness * angle / LENGTH), 1e-2)
     yield Bound("angle at the end [rad]", rows[-1]["right_ry[rad]"] - rows[-1]["left_ry[rad]"], least=1.57)

@@ -63,6 +63,11 @@ class Result:
                     for row in csv.DictReader(file)]
 
     @property
+    def increments(self):
+        """Rows without those of the states in which stages begin."""
+        return [row for row in self.rows if row["increment"] > 0]
+
+    @property
     def last(self):
         return self.rows[-1]
 

@@ -4,12 +4,23 @@
 #ifndef fiberloom_base_composite_declarations_h
 #define fiberloom_base_composite_declarations_h
 
+#include <string>
+#include <vector>
+
 namespace fiberloom
 {
   class ParameterCatalogue;
   struct MatrixParameters;
   struct ShearParameters;
   struct BendParameters;
+
+  /** Entry Way of the section of a test: turning points as parts of @p whole ,
+   * such as "the largest strain", from @p lowest to 1. */
+  void
+  declare_way(ParameterCatalogue  &catalogue,
+              std::vector<double> &way,
+              const std::string   &whole,
+              const int            lowest);
 
   // Sections of the parameter file for the matrix and its tests, called by
   // Parameters::declare().

@@ -153,9 +153,11 @@ namespace fiberloom
     double      largest_strain = 0.02;
     double      strain_ratio = 1; // of the other direction over the leading one
     std::string leading_direction = "fill";
-    std::string other_direction   = "strained"; // | free, of a cell
+    std::string other_direction   = "strained"; // | free
     double      first_step        = 0.1;        // of the largest strain
     double      largest_step      = 0.2;        // of the largest strain
+
+    std::vector<double> way = {1}; // parts of the largest strain
   };
 
   /** Stage "compact": a cell between two rigid plates. */
@@ -164,9 +166,10 @@ namespace fiberloom
     double thickness       = 0; // between the plates [mm]; one of these three
     double volume_fraction = 0; // of fibers between the plates
     double pressure        = 0; // on the plates [MPa]
-    bool   return_way      = false; // and back to where it began
     double first_step      = .02;
     double largest_step    = .05;
+
+    std::vector<double> way = {1}; // parts of that
   };
 
   /**
@@ -197,6 +200,8 @@ namespace fiberloom
     double largest_angle = 0.7;  // [rad]
     double first_step    = 0.05; // of the angle [rad]
     double largest_step  = 0.05; // of the angle [rad]
+
+    std::vector<double> way = {1}; // parts of the largest angle
   };
 
   /** Stage "bend": two opposite borders turn against each other. */
@@ -206,6 +211,8 @@ namespace fiberloom
     std::string direction     = "warp"; // the one that is bent: warp | fill
     double      first_step    = 0.05;   // of the angle [rad]
     double      largest_step  = 0.05;   // of the angle [rad]
+
+    std::vector<double> way = {1}; // parts of the largest angle
   };
 
   /** Stage "load", in which t runs from 0 to @p end . */

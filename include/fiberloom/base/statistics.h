@@ -40,6 +40,15 @@ namespace fiberloom
     double tolerance   = std::numeric_limits<double>::quiet_NaN();
   };
 
+  /** Energies where a stage's way begins or turns [N mm]. */
+  struct TurningPoint
+  {
+    double part     = 0; // of the largest deformation
+    double work     = 0; // done on the sample since the stage began
+    double friction = 0; // lost by it since the first stage began
+    double stored   = 0;
+  };
+
   /** What a stage cost and reached; one entry of "stages" in summary.json. */
   struct StageStatistics
   {
@@ -64,6 +73,8 @@ namespace fiberloom
     ErrorEstimate estimated_error;
 
     std::vector<double> membrane_stiffness; // 3 x 3 [N/mm], if asked for
+
+    std::vector<TurningPoint> turning_points; // from the start of the way on
 
     // What a scene can do without.
     unsigned int unsymmetric_systems = 0; // among those solved

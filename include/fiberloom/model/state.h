@@ -13,6 +13,7 @@
 #include <fiberloom/model/composite.h>
 
 #include <boost/serialization/vector.hpp>
+#include <boost/serialization/version.hpp>
 
 #include <string>
 #include <vector>
@@ -51,6 +52,12 @@ namespace fiberloom
     double       load      = 0; // of the stage, from 0 to 1
     double step = 0; // of the load, to be tried next; 0: the stage's first step
     double dissipation = 0; // by friction, so far [N mm]
+
+    // Of a stage with a way: what the bodies exert on the fibers [N], [N mm],
+    // and the work that they have done in the stage [N mm].
+    std::vector<BodyVector> reactions;
+    double                  work = 0;
+
     std::vector<std::string> stages_done;
     std::vector<std::string> scene_stages; // of the run that wrote it
 
@@ -61,6 +68,8 @@ namespace fiberloom
       increment = 0;
       load      = 0;
       step      = 0;
+      work      = 0;
+      reactions.clear();
       previous.q.resize(0);
     }
 
@@ -73,7 +82,7 @@ namespace fiberloom
 
     template <class Archive>
     void
-    serialize(Archive &ar, const unsigned int)
+    serialize(Archive &ar, const unsigned int version)
     {
       for (DofVector *dofs : {&q, &stage_start_q, &previous.q})
         {
@@ -88,8 +97,20 @@ namespace fiberloom
       ar &previous.placements          &previous.load;
       ar &stage &increment &load &step &dissipation;
       ar &stages_done                  &scene_stages;
+      if (version >= 1) // checkpoints from before these stay readable
+        {
+          auto n = reactions.size();
+          ar  &n;
+          reactions.resize(n);
+          for (BodyVector &reaction : reactions)
+            for (double &value : reaction)
+              ar &value;
+          ar &work;
+        }
     }
   };
 } // namespace fiberloom
+
+BOOST_CLASS_VERSION(fiberloom::State, 1)
 
 #endif

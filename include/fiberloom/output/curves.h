@@ -14,7 +14,8 @@
 
 namespace fiberloom
 {
-  /** The rows of loading_curve.csv, one for each accepted increment. */
+  /** The rows of loading_curve.csv, one for each accepted increment, and one
+   * for the state in which a test begins. */
   class LoadingCurve : public IncrementTable
   {
   public:
@@ -42,9 +43,10 @@ namespace fiberloom
   readable(std::string column);
 
   /**
-   * The loading curve of a stage as SVG: all forces [N], or where there are
-   * none all moments [N.mm], over the strain or angle that varies most, else
-   * over the load. Empty when there are not two points to draw. A
+   * The loading curve of a stage as SVG: the bending moment [N.mm], or else all
+   * forces [N], or where there are none all moments [N.mm], or the pressure
+   * [MPa], over the strain, angle or fiber volume fraction that varies most,
+   * else over the load. Empty when there are not two points to draw. A
    * finite @p error is drawn as a band around the curves, over the largest of
    * their values.
    */

@@ -36,13 +36,21 @@ namespace fiberloom
              std::function<bool()> stop_requested,
              const State          &state);
 
+    /** Is asked for what is known of an increment between two states. */
+    using Estimate =
+      std::function<void(const State &before, const State &reached)>;
+
     /**
-     * @p observer sees each accepted state. Throws StageFailure when even the
+     * @p observer sees each accepted state. Where the way of a test is farthest
+     * from its start and goes on, @p estimate is called, if there is one, with
+     * the increment that leads there. Throws StageFailure when even the
      * smallest increment fails and StopRequested on request, with the last
      * accepted state in @p state .
      */
     void
-    run(State &state, const IncrementObserver &observer);
+    run(State                   &state,
+        const IncrementObserver &observer,
+        const Estimate          &estimate = {});
 
     /** From the start to the end of the stage by its fast path alone. False,
      * with @p state as it was, where that does not lead there. Throws
@@ -69,6 +77,19 @@ namespace fiberloom
     void
     take_increment(State &state);
 
+    /** An increment and, where it leads to the farthest point, @p estimate . */
+    void
+    take_increment(State &state, const Estimate &estimate);
+
+    /** Lets a way that ends a leg at @p state go on as from its start, and
+     * keeps the energies there. */
+    void
+    turn(State &state);
+
+    /** The test's first row: @p state , where it begins. */
+    void
+    show_start(State &state, const IncrementObserver &observer);
+
     /** Where the increment that failed is farthest from balance, at @p state ,
      * for the message. */
     std::string
@@ -85,12 +106,19 @@ namespace fiberloom
     void
     show(const State &state, const IncrementObserver &observer);
 
+    /** Hands @p state and its row of the curve to @p observer . */
+    void
+    report(const State &state, const IncrementObserver &observer) const;
+
     /** Sum of the normal forces between different tows of one family [N]. */
     double
     force_of_neighbors() const;
 
     CurveRow
     balance(const State &state) const;
+
+    CurveRow
+    energies(const State &state) const;
 
     std::string
     increment_line(const State &state) const;

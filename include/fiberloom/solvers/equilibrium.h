@@ -58,6 +58,10 @@ namespace fiberloom
     bool
     solve(State &state, const Problem &problem);
 
+    /** Finds contacts and reactions of @p state as it is. */
+    void
+    evaluate(State &state, const Problem &problem);
+
     /**
      * From @p state , whose contacts have been generated, by Newton's method;
      * zones in which fibers are too deep are stiffened in between.

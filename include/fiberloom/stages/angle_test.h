@@ -6,19 +6,27 @@
 
 #include <fiberloom/stages/tow_ends.h>
 
+#include <algorithm>
+
 namespace fiberloom
 {
+  /** The largest angle, its steps [rad] and the way that it takes. */
+  struct AngleWay
+  {
+    double largest_angle, first_step, largest_step; // [rad]
+    Way    turning;
+  };
+
+
+
   /**
-   * A test in which an angle grows and all bodies of a fabric, those on tow
-   * ends and those on borders of the matrix, follow it by a formula.
+   * A test in which an angle goes its way and all bodies of a fabric, those on
+   * tow ends and those on borders of the matrix, follow it by a formula.
    */
   class AngleTest : public Stage
   {
   public:
-    AngleTest(const Scene &scene,
-              const double largest_angle,
-              const double first_step,
-              const double largest_step);
+    AngleTest(const Scene &scene, const AngleWay &angles);
 
     void
     begin(State &state) const override;
@@ -33,13 +41,21 @@ namespace fiberloom
     double
     first_step(const State &) const override
     {
-      return first_angle / largest_angle;
+      return std::min(angles.first_step, angles.largest_step) /
+             (angles.largest_angle * angles.turning.length());
     }
 
     double
     largest_step() const override
     {
-      return largest_angle_step / largest_angle;
+      return angles.largest_step /
+             (angles.largest_angle * angles.turning.length());
+    }
+
+    const Way *
+    way() const override
+    {
+      return &angles.turning;
     }
 
     bool
@@ -76,13 +92,15 @@ namespace fiberloom
     virtual Vector3
     spin(const Vector3 &start, const bool along_x) const = 0;
 
+    /** At @p load [rad]. */
     double
-    angle(const State &state) const
+    angle_at(const double load) const
     {
-      return state.load * largest_angle;
+      return angles.turning.at(load) * angles.largest_angle;
     }
 
-    const double largest_angle, first_angle, largest_angle_step; // [rad]
+  private:
+    const AngleWay angles;
   };
 } // namespace fiberloom
 

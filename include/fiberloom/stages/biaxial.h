@@ -38,13 +38,36 @@ namespace fiberloom
     double
     largest_step() const override;
 
+    const Way *
+    way() const override
+    {
+      return &turning;
+    }
+
     CurveRow
     curve(const State                   &state,
           const std::vector<BodyVector> &reactions) const override;
 
   private:
-    double         warp_strain, fill_strain; // at full load
-    std::bitset<3> free;                     // of a cell's elongations
+    double
+    warp_strain_at(const double load) const
+    {
+      return turning.at(load) * warp_strain;
+    }
+
+    double
+    fill_strain_at(const double load) const
+    {
+      return turning.at(load) * fill_strain;
+    }
+
+    /** Mean strain of the tows of a free direction, or that of the period. */
+    double
+    free_strain(const unsigned int direction, const State &state) const;
+
+    const Way      turning;
+    double         warp_strain, fill_strain; // the largest
+    std::bitset<2> free;                     // warp or fill
   };
 } // namespace fiberloom
 

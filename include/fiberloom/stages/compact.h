@@ -11,7 +11,7 @@ namespace fiberloom
   /**
    * A periodic cell between two rigid plates without friction, which come
    * together until they are at a distance or are pressed by a pressure, and go
-   * back if wanted. The periods stay.
+   * back where their way does. The periods stay.
    */
   class Compact : public Stage
   {
@@ -38,18 +38,17 @@ namespace fiberloom
     double
     largest_step() const override;
 
-    double
-    next_stop(const double load) const override;
+    const Way *
+    way() const override
+    {
+      return &turning;
+    }
 
     CurveRow
     curve(const State                   &state,
           const std::vector<BodyVector> &reactions) const override;
 
   private:
-    /** Part of the way that the plates have gone at @p load . */
-    double
-    way(const double load) const;
-
     /** Of the cell [mm^2]. */
     double
     area(const std::vector<Placement> &placements) const;
@@ -59,6 +58,7 @@ namespace fiberloom
     last_distance(const std::vector<Placement> &start) const;
 
     const CompactParameters &parameters;
+    const Way                turning;
     double                   fiber_volume; // [mm^3]
   };
 } // namespace fiberloom

@@ -38,12 +38,16 @@ namespace fiberloom
            const std::bitset<3> held);
 
     /**
-     * Adds the bodies, all dofs prescribed, to @p supports , and lets them hold
-     * their nodes. Edges that are held whole go with the borders of x. None
-     * where the scene has no matrix.
+     * Adds the bodies to @p supports , and lets them hold their nodes. All dofs
+     * are prescribed but that of a border across x or y where this is @p free .
+     * Edges that are held whole go with the borders of x. None where the scene
+     * has no matrix.
      */
     void
-    add(const Scene &scene, const Grip grip, Supports &supports);
+    add(const Scene         &scene,
+        const Grip           grip,
+        const std::bitset<2> free,
+        Supports            &supports);
 
     /** Places them in the middle of their nodes, from body number @p first on;
      * bodies of edges where they go with both borders. */

@@ -14,6 +14,8 @@
 
 #include <fiberloom/solvers/equilibrium.h>
 
+#include <fiberloom/stages/way.h>
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -26,8 +28,8 @@ namespace fiberloom
    */
   using CurveRow = std::vector<std::pair<std::string, double>>;
 
-  /** What a stage shows to output after each accepted increment, on every rank.
-   */
+  /** What a stage shows to output after each accepted increment, on every rank;
+   * a test also where it begins, as increment 0. */
   struct IncrementReport
   {
     const std::string                 &stage;
@@ -117,9 +119,17 @@ namespace fiberloom
 
     /** The next load beyond @p load at which an increment has to end. */
     virtual double
-    next_stop(const double /*load*/) const
+    next_stop(const double load) const
     {
-      return 1;
+      return way() ? way()->next_turn(load) : 1;
+    }
+
+    /** The way of a test that may turn back, null where there is none. Each leg
+     * of it starts with the first step, and work is counted. */
+    virtual const Way *
+    way() const
+    {
+      return nullptr;
     }
 
     /** Forces below this need not be resolved on the way [N]. */

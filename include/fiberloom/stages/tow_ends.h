@@ -30,14 +30,15 @@ namespace fiberloom
     axis(const Tow &tow);
 
     /**
-     * All dofs prescribed, or, if @p axially_free , all but the translations
-     * along the tows; then the middle of every fiber is held along its axis
-     * by the ground, and the matrix is free. Else its borders are held as @p
-     * grip says.
+     * All dofs prescribed, but the translations along the warp tows, along the
+     * fill tows or both, where @p free has these, and the slopes of tows with
+     * layers there; then the middle of every fiber of such a tow is held along
+     * its axis by the ground. The matrix is free where both are, else its
+     * borders are held as @p grip says, but across a free direction.
      */
     Supports
     supports(const Scene              &scene,
-             const bool                axially_free,
+             const std::bitset<2>      free,
              const MatrixBorders::Grip grip = MatrixBorders::Grip::across);
 
     /** Placements at the mean of the held centres, where @p state has none. */
