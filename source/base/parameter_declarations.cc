@@ -274,6 +274,15 @@ namespace fiberloom
                     "Force on a plate over the area of the cell at the end "
                     "[MPa].",
                     Allowed::at_least(0));
+      catalogue.add("Return",
+                    compact.return_way,
+                    "Whether the plates go back to where they began, after Way.",
+                    Allowed::true_or_false());
+      catalogue.add("Friction coefficient",
+                    compact.friction_coefficient,
+                    "Coulomb's coefficient between fibers and plates; 0: no "
+                    "friction, negative: that between fibers.",
+                    Allowed::at_least(-1));
       catalogue.add("First step",
                     compact.first_step,
                     "First increment, and that of each leg of Way, over the "

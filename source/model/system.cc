@@ -461,6 +461,14 @@ namespace fiberloom
                             normal.potential.force_slope.segment<9>(
                               9 * normal.potential.fiber[a]));
       }
+    add_product(state, rows, columns);
+  }
+
+
+
+  void
+  System::add_product(const State &state, HeldGroup &rows, HeldGroup &columns)
+  {
     rows.transform(state.q, state.placements, false);
     columns.transform(state.q, state.placements, false);
     std::vector<unsigned int> blocks;

@@ -1,33 +1,83 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/contact/contact_law.h>
+
 #include <fiberloom/model/plate_group.h>
 #include <fiberloom/model/scatter.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace fiberloom
 {
+  namespace
+  {
+    PlateFriction::Section
+    section_at(const DofVector &q, const PlateGroup &group)
+    {
+      PlateFriction::Section section = PlateFriction::Section::Zero();
+      for (unsigned int a = 0; a < 3; ++a)
+        section += group.weights[a] * q.segment<9>(9 * group.nodes[a]);
+      return section;
+    }
+
+    /** The entry of the same plate nearest to the section, within half an
+     * element, or null. */
+    const PlateHistory *
+    nearest_history(const std::vector<PlateHistory> &history,
+                    const PlateGroup                &group,
+                    const bool                       upper)
+    {
+      const PlateHistory *nearest  = nullptr;
+      double              distance = .5;
+      for (auto entry =
+             std::lower_bound(history.begin(),
+                              history.end(),
+                              std::make_pair(group.fiber, group.u - distance),
+                              [](const PlateHistory &h, const auto &place) {
+                                return std::make_pair(h.fiber, h.u) < place;
+                              });
+           entry != history.end() && entry->fiber == group.fiber &&
+           entry->u < group.u + distance;
+           ++entry)
+        if (const double away = std::abs(entry->u - group.u);
+            entry->upper == upper && away < distance)
+          {
+            distance = away;
+            nearest  = &*entry;
+          }
+      return nearest;
+    }
+  } // namespace
+
+
+
   template <class Visitor>
   void
   System::visit_plate_stations(const State &state, const Visitor &visit) const
   {
     const Plates &plates = *supports.plates;
     const Vector3 place  = state.placements[plates.body].position;
+    PlateGroup    group;
+    group.number = 0;
     for (unsigned int e = 0; e < mesh.n_elements(); ++e)
       {
-        const auto        &line = mesh.lines()[mesh.fiber_of_element(e)];
+        group.fiber             = mesh.fiber_of_element(e);
+        const auto        &line = mesh.lines()[group.fiber];
         const unsigned int node = mesh.first_node(e);
-        PlateGroup         group;
-        group.nodes = {
-          {node, node + 1, node + 2, numbering.body_block(plates.body)}};
+        group.nodes             = {
+                      {node, node + 1, node + 2, numbering.body_block(plates.body)}};
         for (unsigned int k = 0; k < plates.stations_per_element; ++k)
           {
-            group.weights =
-              shape_values((2 * k + 1.) / plates.stations_per_element - 1);
+            const double along = (k + .5) / plates.stations_per_element;
+            group.u            = e - line.first_element + along;
+            group.weights      = shape_values(2 * along - 1);
+            group.section      = section_at(state.q, group);
             PlateContact::Heights x;
-            x << 0, 0, 0, place.x(), place.z();
-            for (unsigned int a = 0; a < 3; ++a)
-              for (unsigned int v = 0; v < 3; ++v)
-                x[v] += group.weights[a] * state.q[9 * (node + a) + 3 * v + 2];
+            x << group.section[2], group.section[5], group.section[8],
+              place.x(), place.z();
             for (const bool upper : {false, true})
               {
                 const PlateContact contact{plates.stiffness *
@@ -37,6 +87,7 @@ namespace fiberloom
                                            plates.regularization * line.radius,
                                            upper};
                 visit(contact, x, group);
+                ++group.number;
               }
           }
       }
@@ -54,12 +105,15 @@ namespace fiberloom
       [&](const PlateContact          &contact,
           const PlateContact::Heights &x,
           PlateGroup                  &group) {
-        if (!touches_owned(group.nodes.data(), 4, mesh.originals()) ||
-            !contact.evaluate(x,
-                              group.gradient,
-                              with_tangent ? &group.hessian : nullptr))
+        if (!touches_owned(group.nodes.data(), 4, mesh.originals()))
           return;
-        scatter<with_tangent>(state, group, mesh.originals());
+        if (contact.evaluate(x,
+                             group.gradient,
+                             with_tangent ? &group.hessian : nullptr))
+          scatter<with_tangent>(state, group, mesh.originals());
+        else
+          group.gradient.setZero();
+        add_plate_friction<with_tangent>(state, group);
       });
     const unsigned int block = numbering.body_block(plates.body);
     const int          local = numbering.local_block(block);
@@ -74,17 +128,141 @@ namespace fiberloom
 
 
 
+  template <bool with_tangent>
+  void
+  System::add_plate_friction(const State &state, const PlateGroup &normal)
+  {
+    if (friction_on_plates.empty() ||
+        !(friction_on_plates[normal.number].limit > 0))
+      return;
+    PlateFrictionGroup group(normal);
+    friction_on_plates[normal.number].evaluate(
+      normal.section, group.gradient, with_tangent ? &group.hessian : nullptr);
+    scatter<with_tangent>(state, group, mesh.originals());
+    if (with_tangent && couples_limits && !normal.gradient.isZero(0))
+      couple_plate_limit(state, normal, group);
+  }
+
+
+
+  void
+  System::couple_plate_limit(const State              &state,
+                             const PlateGroup         &normal,
+                             const PlateFrictionGroup &friction)
+  {
+    const PlateFriction &law = friction_on_plates[normal.number];
+    HeldGroup            rows(normal.nodes.data(),
+                   normal.nodes.size(),
+                   movement.attachments(),
+                   supports,
+                   numbering,
+                   mesh.originals()),
+      columns(rows);
+    // The force is the slope of the energy by the gap, and the gap changes with
+    // the height of the centre as much as it moves.
+    PlateGroup slope = normal;
+    slope.gradient =
+      normal.hessian.row(0) * (normal.gradient[0] > 0 ? 1. : -1.);
+    for (unsigned int a = 0; a < 4; ++a)
+      {
+        rows.set_force(a,
+                       a < 3 ? Eigen::VectorXd(friction.force(a) / law.limit) :
+                               Eigen::VectorXd(Eigen::VectorXd::Zero(6)));
+        columns.set_force(a,
+                          law.limit / law.normal_force_before * slope.force(a));
+      }
+    add_product(state, rows, columns);
+  }
+
+
+
+  void
+  System::update_plates(const State                     &state,
+                        const DofVector                 &q_before,
+                        const std::vector<PlateHistory> &history)
+  {
+    if (!supports.plates || !(supports.plates->friction_coefficient > 0))
+      return;
+    friction_on_plates.clear();
+    visit_plate_stations(
+      state,
+      [&](const PlateContact          &contact,
+          const PlateContact::Heights &x,
+          const PlateGroup            &group) {
+        PlateFriction friction;
+        friction.normal_force_before =
+          normal_law(-contact.gap(x), contact.stiffness, contact.regularization)
+            .force;
+        friction.limit =
+          supports.plates->friction_coefficient * friction.normal_force_before;
+        friction.elastic_slip =
+          supports.plates->elastic_slip * mesh.lines()[group.fiber].radius;
+        friction.place_particle(group.section, contact.upper);
+        friction.origin = friction.place(section_at(q_before, group));
+        if (const PlateHistory *entry =
+              nearest_history(history, group, contact.upper))
+          friction.origin -= Eigen::Vector2d(entry->slip[0], entry->slip[1]);
+        friction_on_plates.push_back(friction);
+      });
+  }
+
+
+
+  std::vector<PlateHistory>
+  System::plate_history(const State &state) const
+  {
+    std::vector<PlateHistory> history;
+    if (!friction_on_plates.empty())
+      visit_plate_stations(
+        state,
+        [&](const PlateContact          &contact,
+            const PlateContact::Heights &x,
+            const PlateGroup            &group) {
+          const PlateFriction &friction = friction_on_plates[group.number];
+          if (!(friction.limit > 0) || contact.gap(x) >= 0)
+            return;
+          const Eigen::Vector2d slip = friction.reversible_slip(group.section);
+          history.push_back(
+            {group.fiber, group.u, contact.upper, {{slip[0], slip[1]}}});
+        });
+    return history;
+  }
+
+
+
+  double
+  System::plate_dissipation(const State &state) const
+  {
+    double sum = 0;
+    if (!friction_on_plates.empty())
+      visit_plate_stations(
+        state,
+        [&](const PlateContact &,
+            const PlateContact::Heights &,
+            const PlateGroup &group) {
+          sum +=
+            friction_on_plates[group.number].dissipated_energy(group.section);
+        });
+    return sum;
+  }
+
+
+
   double
   System::plate_energy(const State &state) const
   {
     double energy = 0;
-    visit_plate_stations(state,
-                         [&](const PlateContact          &contact,
-                             const PlateContact::Heights &x,
-                             const PlateGroup            &group) {
-                           if (numbering.local_block(group.nodes[0]) >= 0)
-                             energy += contact.energy(x);
-                         });
+    visit_plate_stations(
+      state,
+      [&](const PlateContact          &contact,
+          const PlateContact::Heights &x,
+          const PlateGroup            &group) {
+        if (numbering.local_block(group.nodes[0]) < 0)
+          return;
+        energy += contact.energy(x);
+        if (!friction_on_plates.empty())
+          energy += friction_on_plates[group.number].law(group.section).energy;
+      });
     const Plates &plates = *supports.plates;
     const double  middle = state.placements[plates.body].position.z();
     if (numbering.local_block(numbering.body_block(plates.body)) >= 0)

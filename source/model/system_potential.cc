@@ -67,7 +67,7 @@ namespace fiberloom
     const DofVector q      = mesh.with_images(state.q);
     for (const ContactElement &contact : contacts)
       stored -= dissipated_energy(contact, section_pair(contact, q));
-    return stored;
+    return stored - plate_dissipation(state);
   }
 
 

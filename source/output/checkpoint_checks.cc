@@ -82,6 +82,12 @@ namespace fiberloom
       for (const FrictionHistory &entry : contact.history)
         demand(is_on_fibers(entry.fibers, entry.u, mesh) && is_near(entry.slip),
                "a slip of friction");
+      for (const PlateHistory &entry : contact.plates)
+        demand(is_on_fibers({{entry.fiber, entry.fiber}},
+                            {{entry.u, entry.u}},
+                            mesh) &&
+                 is_near(Vector3(entry.slip[0], entry.slip[1], 0)),
+               "a slip on a plate");
     }
 
     /** Sorted lists are searched by halving. */
@@ -96,7 +102,13 @@ namespace fiberloom
                             by_fibers) &&
                std::is_sorted(contact.history.begin(),
                               contact.history.end(),
-                              by_fibers),
+                              by_fibers) &&
+               std::is_sorted(contact.plates.begin(),
+                              contact.plates.end(),
+                              [](const auto &a, const auto &b) {
+                                return std::make_pair(a.fiber, a.u) <
+                                       std::make_pair(b.fiber, b.u);
+                              }),
              "an order of contacts");
     }
 

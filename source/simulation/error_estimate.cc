@@ -157,6 +157,7 @@ namespace fiberloom
       const State      start     = transfer(before);
       State            state     = transfer(found);
       state.contact.history      = start.contact.history;
+      state.contact.plates       = start.contact.plates;
       const Composite *composite = transfer.finer();
       const auto       stage =
         create_stage(name, {parameters, fibers, mesh, composite});

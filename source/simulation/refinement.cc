@@ -89,6 +89,8 @@ namespace fiberloom
     for (FrictionHistory &slip : state.contact.history)
       for (unsigned int s = 0; s < 2; ++s)
         slip.u[s] *= ratio(slip.fibers[s]);
+    for (PlateHistory &slip : state.contact.plates)
+      slip.u *= ratio(slip.fiber);
     return state;
   }
 

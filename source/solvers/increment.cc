@@ -79,6 +79,7 @@ namespace fiberloom
   Increment::generate(State &state, const Problem &problem)
   {
     find_contacts(state, problem);
+    update_plates(state, problem);
     ScopedTimer timer(statistics.seconds.assembly);
     system.reinit(contacts);
   }
@@ -96,7 +97,19 @@ namespace fiberloom
         if (const ContactElement *same =
               find_same(before, mesh.with_images(), contact))
           keep_friction(*same, contact);
+    if (!problem.rule.points_follow)
+      update_plates(state, problem);
     system.reinit(contacts);
+  }
+
+
+
+  void
+  Increment::update_plates(const State &state, const Problem &problem)
+  {
+    system.update_plates(state,
+                         problem.before.q,
+                         problem.before.contact.plates);
   }
 
 
@@ -120,6 +133,7 @@ namespace fiberloom
     ScopedTimer timer(statistics.seconds.detection);
     generator.update(
       contacts, state.q, problem.before.q, problem.rule, state.contact);
+    update_plates(state, problem);
     ++statistics.normal_updates;
   }
 
@@ -148,6 +162,7 @@ namespace fiberloom
   Increment::measure_anew(State &state, const Problem &problem)
   {
     find_contacts(state, problem);
+    update_plates(state, problem);
     return measure(state, problem);
   }
 

@@ -424,7 +424,7 @@ namespace fiberloom
     Step step;
     if (find_coupled_step(state, problem, step))
       {
-        const auto kept   = increment.contacts;
+        const auto kept   = increment.all_contacts();
         double     factor = std::min(1., stale_after / step.move);
         for (; factor >= poor_model; factor *= longest_cut)
           {
@@ -442,7 +442,7 @@ namespace fiberloom
             last_factor       = factor;
             return true;
           }
-        increment.contacts = kept;
+        increment.take_back(kept);
       }
     if (coupled_since > 0)
       coupled_below = coupled_since;
@@ -476,12 +476,12 @@ namespace fiberloom
     while (there.residual > increment.tolerance() &&
            there.next.move < stale_after)
       {
-        const auto  kept = increment.contacts;
+        const auto  kept = increment.all_contacts();
         CoupledStep next;
         next.state = there.state;
         if (!reach_coupled(next, problem, there.next, 1))
           {
-            increment.contacts = kept;
+            increment.take_back(kept);
             return;
           }
         there = std::move(next);

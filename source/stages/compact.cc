@@ -31,6 +31,15 @@ namespace fiberloom
     // A pressure begins with this part of it: where nothing presses, plates can
     // be anywhere.
     constexpr double least_pressure = .01;
+
+    Way
+    way_of(const CompactParameters &parameters)
+    {
+      std::vector<double> turning_points = parameters.way;
+      if (parameters.return_way && turning_points.back() != 0)
+        turning_points.push_back(0);
+      return Way(turning_points);
+    }
   } // namespace
 
 
@@ -38,7 +47,7 @@ namespace fiberloom
   Compact::Compact(const Scene &scene)
     : Stage(scene)
     , parameters(scene.parameters.compact)
-    , turning(scene.parameters.compact.way)
+    , turning(way_of(scene.parameters.compact))
     , fiber_volume(0)
   {
     for (const auto &line : scene.mesh.lines())
@@ -64,7 +73,9 @@ namespace fiberloom
                              middle_spring,
                              std::max(least_stations,
                                       static_cast<unsigned int>(std::lround(
-                                        2 * contact.stations_per_element)))};
+                                        2 * contact.stations_per_element))),
+                             parameters.friction_coefficient,
+                             contact.elastic_slip};
     return supports;
   }
 
@@ -82,6 +93,7 @@ namespace fiberloom
     Placement placement;
     placement.position = {high - low - 2 * depth, 0, .5 * (low + high)};
     state.placements.push_back(placement);
+    state.contact.plates.clear();
     if (last_distance(state.placements) >= placement.position[0])
       throw StageFailure("stage compact: the fabric is " +
                          exact_text(high - low) +
@@ -144,6 +156,16 @@ namespace fiberloom
       targets[plates].placement.position[0] +=
         turning.at(load) * (last_distance(start) - start[plates].position[0]);
     return targets;
+  }
+
+
+
+  ContactRule
+  Compact::rule(const double load) const
+  {
+    ContactRule rule = Stage::rule(load);
+    rule.friction    = rule.friction || parameters.friction_coefficient > 0;
+    return rule;
   }
 
 

@@ -58,18 +58,35 @@ namespace fiberloom
     }
   };
 
-  /** All that contact remembers; part of the state. Both sorted by fibers, then
-   * u. */
-  struct ContactState
+  /** The same of a section that touches a plate. */
+  struct PlateHistory
   {
-    std::vector<ContactZone>     zones;
-    std::vector<FrictionHistory> history; // empty without friction
+    unsigned int          fiber;
+    double                u;
+    bool                  upper; // plate
+    std::array<double, 2> slip;  // in the plane [mm]
 
     template <class Archive>
     void
     serialize(Archive &ar, const unsigned int)
     {
-      ar &zones &history;
+      ar &fiber &u &upper &slip[0] & slip[1];
+    }
+  };
+
+  /** All that contact remembers; part of the state. Each sorted by fibers, then
+   * u. */
+  struct ContactState
+  {
+    std::vector<ContactZone>     zones;
+    std::vector<FrictionHistory> history; // empty without friction
+    std::vector<PlateHistory>    plates;  // likewise
+
+    template <class Archive>
+    void
+    serialize(Archive &ar, const unsigned int)
+    {
+      ar &zones &history &plates;
     }
   };
 } // namespace fiberloom

@@ -152,6 +152,8 @@ namespace fiberloom
     double       regularization; // of the penalty, over the fiber's radius
     double       spring;         // of the middle, for want of contact, over E r
     unsigned int stations_per_element;
+    double       friction_coefficient = 0;
+    double       elastic_slip         = 0; // over the fiber's radius
   };
 
   /** The rigid bodies of a stage and the nodes they hold, at most one body a

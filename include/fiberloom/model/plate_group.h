@@ -5,6 +5,7 @@
 #define fiberloom_model_plate_group_h
 
 #include <fiberloom/contact/plate_contact.h>
+#include <fiberloom/contact/plate_friction.h>
 
 #include <array>
 
@@ -16,6 +17,10 @@ namespace fiberloom
   {
     std::array<unsigned int, 4> nodes;
     std::array<double, 3>       weights;
+    unsigned int                fiber;
+    double                      u;      // of the section
+    unsigned int                number; // among all sections and plates
+    PlateFriction::Section      section;
     PlateContact::Heights       gradient;
     PlateContact::Hessian       hessian;
 
@@ -58,6 +63,32 @@ namespace fiberloom
             if (const auto [l, column] = moved(b, j); l >= 0)
               block(i, j) = row * column * hessian(k, l);
       return block;
+    }
+  };
+
+  /** What its friction adds: the section spread over the nodes. */
+  struct PlateFrictionGroup
+  {
+    std::array<unsigned int, 3> nodes;
+    std::array<double, 3>       weights;
+    PlateFriction::Section      gradient;
+    PlateFriction::Hessian      hessian;
+
+    explicit PlateFrictionGroup(const PlateGroup &group)
+      : nodes{{group.nodes[0], group.nodes[1], group.nodes[2]}}
+      , weights(group.weights)
+    {}
+
+    auto
+    force(const unsigned int a) const
+    {
+      return weights[a] * gradient;
+    }
+
+    auto
+    stiffness(const unsigned int a, const unsigned int b) const
+    {
+      return (weights[a] * weights[b]) * hessian;
     }
   };
 } // namespace fiberloom

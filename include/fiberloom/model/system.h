@@ -6,6 +6,8 @@
 
 #include <fiberloom/contact/contact_element.h>
 #include <fiberloom/contact/contact_potential.h>
+#include <fiberloom/contact/contact_state.h>
+#include <fiberloom/contact/plate_friction.h>
 
 #include <fiberloom/coupling/rigid_body.h>
 
@@ -24,6 +26,9 @@ namespace fiberloom
   struct JunctionGroup;
   struct ContactGroup;
   struct PotentialGroup;
+  struct PlateGroup;
+  struct PlateFrictionGroup;
+  class HeldGroup;
 
   /**
    * The equations of one stage: fibers, contacts, rigid bodies and, where there
@@ -83,6 +88,35 @@ namespace fiberloom
     {
       couples_limits = couple;
     }
+
+    /** Friction on plates, if there are some: particles and limits from @p
+     * state , slip from what @p history is of, when fibers were at @p q_before
+     * . */
+    void
+    update_plates(const State                     &state,
+                  const DofVector                 &q_before,
+                  const std::vector<PlateHistory> &history);
+
+    /** As update_plates() has set it; empty where there is none. */
+    const std::vector<PlateFriction> &
+    plate_friction() const
+    {
+      return friction_on_plates;
+    }
+
+    void
+    set_plate_friction(const std::vector<PlateFriction> &friction)
+    {
+      friction_on_plates = friction;
+    }
+
+    /** What plates have to remember of an increment that ends at @p state . */
+    std::vector<PlateHistory>
+    plate_history(const State &state) const;
+
+    /** By friction on plates in the increment that ends at @p state [N mm]. */
+    double
+    plate_dissipation(const State &state) const;
 
     /** Residual alone. */
     void
@@ -213,6 +247,11 @@ namespace fiberloom
                  const ContactGroup   &friction,
                  const PotentialGroup &normal);
 
+    /** Adds the product of two vectors, given as forces of the same nodes, to
+     * products of the tangent. */
+    void
+    add_product(const State &state, HeldGroup &rows, HeldGroup &columns);
+
     template <bool with_tangent>
     void
     add_matrix(const State &state);
@@ -235,6 +274,15 @@ namespace fiberloom
     /** This rank's part. */
     double
     plate_energy(const State &state) const;
+
+    template <bool with_tangent>
+    void
+    add_plate_friction(const State &state, const PlateGroup &group);
+
+    void
+    couple_plate_limit(const State              &state,
+                       const PlateGroup         &normal,
+                       const PlateFrictionGroup &friction);
 
     /** Calls @p visit with contact, heights and group of each section and each
      * plate. */
@@ -294,12 +342,13 @@ namespace fiberloom
     bool                                   couples_limits = false;
     std::vector<std::vector<unsigned int>> element_pattern; // owned rows
 
-    std::vector<double>     residual; // owned dofs
-    std::vector<double>     rhs;
-    std::vector<BodyVector> body_reactions;
-    double                  rounding      = 0;
-    double                  largest_force = 0;
-    std::vector<double>     pending; // prescribed increments, by dof of bodies
+    std::vector<double>        residual; // owned dofs
+    std::vector<double>        rhs;
+    std::vector<BodyVector>    body_reactions;
+    std::vector<PlateFriction> friction_on_plates; // each section and plate
+    double                     rounding      = 0;
+    double                     largest_force = 0;
+    std::vector<double> pending; // prescribed increments, by dof of bodies
     std::unique_ptr<Epetra_Map>    owned_map, everything;
     std::unique_ptr<Epetra_Import> importer;
   };

@@ -78,9 +78,33 @@ namespace fiberloom
     double
     tolerance() const;
 
+    /** Contacts between fibers, and friction on plates. */
+    struct Contacts
+    {
+      std::vector<ContactElement> of_fibers;
+      std::vector<PlateFriction>  on_plates;
+    };
+
+    /** What take_back() needs after other contacts have been found. */
+    Contacts
+    all_contacts() const
+    {
+      return {contacts, system.plate_friction()};
+    }
+
+    void
+    take_back(const Contacts &kept)
+    {
+      contacts = kept.of_fibers;
+      system.set_plate_friction(kept.on_plates);
+    }
+
     std::vector<ContactElement> contacts;
 
   private:
+    void
+    update_plates(const State &state, const Problem &problem);
+
     void
     find_contacts(State &state, const Problem &problem);
 

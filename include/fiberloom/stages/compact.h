@@ -9,7 +9,7 @@
 namespace fiberloom
 {
   /**
-   * A periodic cell between two rigid plates without friction, which come
+   * A periodic cell between two rigid plates, which come
    * together until they are at a distance or are pressed by a pressure, and go
    * back where their way does. The periods stay.
    */
@@ -31,6 +31,9 @@ namespace fiberloom
     std::vector<BodyTarget>
     targets(const std::vector<Placement> &start,
             const double                  load) const override;
+
+    ContactRule
+    rule(const double load) const override;
 
     double
     first_step(const State &state) const override;
