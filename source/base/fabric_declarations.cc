@@ -10,7 +10,7 @@ namespace fiberloom
   namespace
   {
     // bounds that keep a slip of the finger from filling the memory
-    constexpr int most_tows = 1000, most_fibers = 10000,
+    constexpr int most_tows = 1000, most_fibers = 10000, most_plies = 100,
                   most_elements = TowParameters::most_elements;
 
     void
@@ -169,6 +169,23 @@ namespace fiberloom
                   "from the middle between two tows that cross, over the "
                   "spacing of these. Results do not depend on it.",
                   Allowed::list_of(Allowed::from_to(-.5, .5), 2));
+    catalogue.add("Plies",
+                  fabric.plies,
+                  "Copies of the fabric in a stack, each woven by itself; of "
+                  "a periodic cell.",
+                  Allowed::whole(1, most_plies));
+    catalogue.add("Ply shift",
+                  fabric.ply_shift,
+                  "Where plies lie along warp and fill, over the periods: two "
+                  "numbers, by which each ply is shifted against the one "
+                  "below, or two for each ply. Empty: straight above each "
+                  "other.",
+                  Allowed::list_of(Allowed::from_to(-1, 1)));
+    catalogue.add("Ply rotation",
+                  fabric.ply_rotation,
+                  "Quarter turns of each ply, the lowest first; of a square "
+                  "cell. Empty: none.",
+                  Allowed::list_of(Allowed::whole(0, 3)));
     catalogue.enter_section("Warp");
     declare_tows(catalogue, fabric.warp);
     catalogue.leave_section();

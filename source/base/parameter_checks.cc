@@ -386,6 +386,39 @@ namespace fiberloom
     }
 
     void
+    check_plies(const Parameters &parameters)
+    {
+      const FabricParameters &fabric = parameters.fabric;
+      if (fabric.plies > 1 && !fabric.periodic)
+        throw InputError(parameters.where("Fabric/Plies") + " = " +
+                         std::to_string(fabric.plies) +
+                         ": a stack needs a periodic cell; allowed: 1, or "
+                         "Fabric/Periodic = true");
+      if (const auto n = fabric.ply_shift.size();
+          n != 0 && n != 2 && n != 2 * fabric.plies)
+        throw InputError(parameters.where("Fabric/Ply shift") + ": " +
+                         std::to_string(n) + " numbers; allowed: none, 2 or " +
+                         std::to_string(2 * fabric.plies) +
+                         ", two for each ply");
+      const auto &turns = fabric.ply_rotation;
+      if (!turns.empty() && turns.size() != fabric.plies)
+        throw InputError(parameters.where("Fabric/Ply rotation") + ": " +
+                         std::to_string(turns.size()) +
+                         " numbers; allowed: none or " +
+                         std::to_string(fabric.plies) + ", one for each ply");
+      const double along  = fabric.fill.tows * fabric.fill.tow_spacing,
+                   across = fabric.warp.tows * fabric.warp.tow_spacing;
+      if (std::any_of(turns.begin(),
+                      turns.end(),
+                      [](const unsigned int n) { return n % 2 != 0; }) &&
+          std::abs(along - across) > 1e-9 * along)
+        throw InputError(parameters.where("Fabric/Ply rotation") +
+                         ": the cell is no square, but " + exact_text(along) +
+                         " mm along warp and " + exact_text(across) +
+                         " mm along fill; allowed: 0 and 2");
+    }
+
+    void
     check_compact(const Parameters &parameters)
     {
       const CompactParameters &compact = parameters.compact;
@@ -404,7 +437,8 @@ namespace fiberloom
       for (const TowParameters *tows :
            {&parameters.fabric.warp, &parameters.fabric.fill})
         volume += tows->fibers * M_PI * tows->fiber_radius *
-                  tows->fiber_radius / tows->tow_spacing;
+                  tows->fiber_radius / tows->tow_spacing *
+                  parameters.fabric.plies;
       if (compact.thickness > 0 && compact.thickness <= volume / packed)
         throw InputError(parameters.where("Compact/Thickness") + " = " +
                          exact_text(compact.thickness) +
@@ -538,6 +572,7 @@ namespace fiberloom
       check_drive(drive, *this);
     check_distributed_loads(*this);
     check_cell(*this);
+    check_plies(*this);
     check_compact(*this);
     check_ways(*this);
     if (output.only_summary && !output.exports.empty())

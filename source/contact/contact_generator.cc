@@ -30,6 +30,8 @@ namespace fiberloom
       for (unsigned int i = 0; set.pattern && i < set.fibers.size(); ++i)
         for (unsigned int j = i + 1; j < set.fibers.size(); ++j)
           if (superimposition(set, i, j) != 0 &&
+              set.tows[set.fibers[i].tow].ply ==
+                set.tows[set.fibers[j].tow].ply &&
               (images == nullptr || images->is_pair(i, j)))
             pairs.push_back({{i, j}});
       return pairs;

@@ -170,26 +170,81 @@ namespace fiberloom
       return fiber;
     }
 
+    /** Where a ply of a stack lies. */
+    struct Ply
+    {
+      unsigned int number;
+      unsigned int turns;  // by a quarter
+      Vector3      origin; // [mm]
+    };
+
+    std::vector<Ply>
+    make_plies(const FabricParameters      &fabric,
+               const std::array<double, 2> &periods,
+               const double                 distance)
+    {
+      std::vector<Ply> plies;
+      for (unsigned int p = 0; p < fabric.plies; ++p)
+        {
+          Ply         ply{p, 0, Vector3(0, 0, p * distance)};
+          const auto &shift = fabric.ply_shift;
+          for (unsigned int d = 0; d < 2 && !shift.empty(); ++d)
+            ply.origin[d] = periods[d] * (shift.size() == 2 ? p * shift[d] :
+                                                              shift[2 * p + d]);
+          if (!fabric.ply_rotation.empty())
+            ply.turns = fabric.ply_rotation[p];
+          plies.push_back(ply);
+        }
+      return plies;
+    }
+
+    /** Tows of a ply that run as @p family does once it is turned, in order
+     * across. */
     void
-    add_tows(const Family &family, FiberSet &set)
+    add_tows(const Family &family, const Ply &ply, FiberSet &set)
     {
       const TowParameters &tows = family.tows;
-      for (unsigned int number = 0; number < tows.tows; ++number)
+      const Matrix3        turn =
+        Eigen::AngleAxisd(.5 * M_PI * ply.turns, Vector3::UnitZ())
+          .toRotationMatrix()
+          .array()
+          .round();
+      Family turned          = family;
+      turned.along           = (turn * family.along).cwiseAbs();
+      const Vector3 across   = turn * family.across;
+      const bool    reversed = across.sum() < 0;
+      turned.name =
+        turned.along.x() > .5 ? Tow::Family::warp : Tow::Family::fill;
+      unsigned int first = 0;
+      for (const Tow &tow : set.tows)
+        first += tow.family == turned.name;
+
+      for (unsigned int k = 0; k < tows.tows; ++k)
         {
-          Tow tow;
-          tow.family     = family.name;
-          tow.number     = number;
-          tow.center     = (number - .5 * (tows.tows - 1)) * tows.tow_spacing;
-          tow.half_width = family.half_width;
+          const unsigned int original = reversed ? tows.tows - 1 - k : k;
+          Tow                tow;
+          tow.family = turned.name;
+          tow.number = first + k;
+          tow.ply    = ply.number;
+          const double place =
+            (original - .5 * (tows.tows - 1)) * tows.tow_spacing;
+          Vector3 origin = place * across + ply.origin;
+          // Into the cell, whose images reach as far as one period.
+          if (set.cell)
+            for (unsigned int d = 0; d < 2; ++d)
+              origin[d] = std::remainder(origin[d], (*set.cell)[d]);
+          tow.center         = origin.dot(across.cwiseAbs());
+          tow.half_width     = family.half_width;
           tow.half_thickness = family.half_thickness;
           for (const SectionPoint &point : family.packing)
             {
-              const Vector3 middle =
-                (tow.center + point[0] * tows.fiber_radius) * family.across +
-                point[1] * tows.fiber_radius * Vector3::UnitZ();
               tow.fibers.push_back(set.fibers.size());
               set.fibers.push_back(
-                straight_fiber(family, set.tows.size(), middle));
+                straight_fiber(turned,
+                               set.tows.size(),
+                               origin + point[0] * tows.fiber_radius * across +
+                                 point[1] * tows.fiber_radius *
+                                   Vector3::UnitZ()));
             }
           set.tows.push_back(tow);
         }
@@ -252,8 +307,24 @@ namespace fiberloom
     check_overhang(warp, fill, parameters);
     check_overhang(fill, warp, parameters);
 
-    add_tows(warp, set);
-    add_tows(fill, set);
+    const double woven = 2 * (warp.half_thickness + fill.half_thickness);
+    const auto   plies = make_plies(parameters.fabric,
+                                  set.cell.value_or(std::array<double, 2>()),
+                                  2 * woven);
+    for (const bool along_x : {true, false})
+      for (const Ply &ply : plies)
+        add_tows(along_x == (ply.turns % 2 == 0) ? warp : fill, ply, set);
+    if (plies.size() > 1)
+      {
+        std::vector<WeavePattern> patterns;
+        for (const Ply &ply : plies)
+          {
+            patterns.push_back(*set.pattern);
+            for (unsigned int n = 0; n < ply.turns; ++n)
+              patterns.back() = patterns.back().turned();
+          }
+        set.pattern = WeavePattern(patterns);
+      }
     for (const Tow &tow : set.tows)
       check_tow(set.fibers[tow.fibers[0]],
                 tow.family == Tow::Family::warp ? warp : fill,

@@ -97,4 +97,38 @@ namespace fiberloom
       for (unsigned int warp = 0; warp < n_warp_tows; ++warp)
         above[fill][warp] = rows[fill][warp] == '1';
   }
+
+
+
+  WeavePattern::WeavePattern(const std::vector<WeavePattern> &plies)
+    : tows_of_period(plies[0].tows_of_period)
+  {
+    for (unsigned int p = 0; p < plies.size(); ++p)
+      for (const std::vector<bool> &row : plies[p].above)
+        {
+          std::vector<bool> all;
+          for (unsigned int other = 0; other < plies.size(); ++other)
+            if (other == p)
+              all.insert(all.end(), row.begin(), row.end());
+            else
+              all.insert(all.end(), plies[other].n_warp(), other > p);
+          above.push_back(all);
+        }
+  }
+
+
+
+  WeavePattern
+  WeavePattern::turned() const
+  {
+    // Warp tow w becomes the fill tow across, counted from the other side; fill
+    // tow f becomes warp tow f.
+    WeavePattern       turned = *this;
+    const unsigned int n      = n_warp();
+    turned.above.assign(n, std::vector<bool>(above.size()));
+    for (unsigned int fill = 0; fill < n; ++fill)
+      for (unsigned int warp = 0; warp < above.size(); ++warp)
+        turned.above[fill][warp] = !above[warp][n - 1 - fill];
+    return turned;
+  }
 } // namespace fiberloom

@@ -167,6 +167,7 @@ namespace fiberloom
                 << size.nodes << "\nfiber dofs      " << size.fiber_dofs
                 << "\nfiber elements  " << size.fiber_elements
                 << "\nmatrix dofs     " << size.matrix_dofs
+                << "\nplies           " << fibers.n_plies()
                 << "\nexpected memory "
                 << boost::format("%.1f GiB") % (expected_memory() / gibibyte)
                 << "\navailable memory "
@@ -613,10 +614,14 @@ namespace fiberloom
     std::string     stages;
     for (const std::string &stage : parameters.stages)
       stages += (stages.empty() ? "" : ", ") + stage;
+    const std::string plies =
+      fibers.n_plies() > 1 ?
+        " in " + std::to_string(fibers.n_plies()) + " plies" :
+        "";
     log.write(
-      (boost::format("fiberloom %s  %s: %s of %u fibers, %u dofs, on "
+      (boost::format("fiberloom %s  %s: %s of %u fibers%s, %u dofs, on "
                      "%u %s") %
-       program_version() % command_line.file % stages % size.fibers %
+       program_version() % command_line.file % stages % size.fibers % plies %
        (size.fiber_dofs + size.matrix_dofs) %
        dealii::Utilities::MPI::n_mpi_processes(comm) %
        (dealii::Utilities::MPI::n_mpi_processes(comm) == 1 ? "rank" : "ranks"))

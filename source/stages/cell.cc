@@ -30,8 +30,11 @@ namespace fiberloom
         const double           period = (*scene.fibers.cell)[along];
         double                 place  = 0;
         for (const Tow &other : scene.fibers.tows)
-          if (other.family != tow.family && other.number == 0)
-            place = other.center;
+          if (other.family != tow.family && other.ply == tow.ply)
+            {
+              place = other.center;
+              break;
+            }
         unsigned int nearest = line.first_node;
         double       least   = 1e300;
         for (unsigned int n = line.first_node;
@@ -53,8 +56,8 @@ namespace fiberloom
     Supports
     supports(const Scene         &scene,
              const std::bitset<3> free,
-             const bool           holds_height,
-             const bool           holds_spacing)
+             const bool           holds_spacing,
+             const unsigned int   plies_held)
     {
       Supports supports;
       supports.cell = cell_of(scene);
@@ -64,6 +67,7 @@ namespace fiberloom
         cell.prescribed[k] = !free[k];
       supports.bodies.push_back(cell);
 
+      unsigned int n_held = 0; // plies
       for (unsigned int f = 0; f < scene.fibers.fibers.size(); ++f)
         {
           const unsigned int node = anchor(scene, f);
@@ -73,8 +77,11 @@ namespace fiberloom
           const Tow &tow = scene.fibers.tows[scene.fibers.fibers[f].tow];
           if (holds_spacing && f == tow.fibers[tow.fibers.size() / 2])
             attachment.held.set(0);
-          if (f == 0 && holds_height)
-            attachment.held.set(1);
+          if (tow.ply == n_held && n_held < plies_held)
+            {
+              attachment.held.set(1);
+              ++n_held;
+            }
           const Vector3 x = scene.mesh.initial().segment<3>(9 * node);
           attachment.carried =
             supports.cell->slope(x[0] / supports.cell->size[0],

@@ -9,6 +9,7 @@
 
 #include <fiberloom/stages/cell.h>
 #include <fiberloom/stages/compact.h>
+#include <fiberloom/stages/ply_stack.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +60,8 @@ namespace fiberloom
   Supports
   Compact::supports(const DofVector &) const
   {
-    Supports  supports = Cell::supports(scene, 0);
+    // What lies on the lowest ply is held by contact.
+    Supports  supports = Cell::supports(scene, 0, false, 1);
     RigidBody body;
     body.name = "plates";
     body.prescribed.reset(2);
@@ -85,12 +87,16 @@ namespace fiberloom
   Compact::begin(State &state) const
   {
     Cell::place(state);
-    const Extent extent = skin_extent(scene.mesh, state.q);
-    const double low = extent.low[2], high = extent.high[2];
-    // So deep that both plates are held by what they touch.
+    // So deep that plies and both plates are held by what they touch.
     const double depth = .5 * scene.parameters.contact.largest_penetration *
                          scene.mesh.smallest_radius();
-    Placement placement;
+    close_stack(scene,
+                Cell::periods(scene, state.placements[Cell::body]),
+                depth,
+                state.q);
+    const Extent extent = skin_extent(scene.mesh, state.q);
+    const double low = extent.low[2], high = extent.high[2];
+    Placement    placement;
     placement.position = {high - low - 2 * depth, 0, .5 * (low + high)};
     state.placements.push_back(placement);
     state.contact.plates.clear();

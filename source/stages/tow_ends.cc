@@ -63,7 +63,7 @@ namespace fiberloom
              const MatrixBorders::Grip grip)
     {
       if (scene.fibers.cell)
-        return Cell::supports(scene, free.to_ulong(), true, free.all());
+        return Cell::supports(scene, free.to_ulong(), free.all());
       const auto &tows = scene.fibers.tows;
       Supports    supports;
       for (const Tow &tow : tows)

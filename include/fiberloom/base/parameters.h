@@ -50,11 +50,14 @@ namespace fiberloom
   struct FabricParameters
   {
     std::string         pattern  = "plain";
-    bool                periodic = false;  // a cell without tow ends
-    std::vector<double> cell_cut = {0, 0}; // along warp and fill, over the
-                                           // spacing of the tows that cross
-    TowParameters warp;
-    TowParameters fill;
+    bool                periodic = false;   // a cell without tow ends
+    std::vector<double> cell_cut = {0, 0};  // along warp and fill, over the
+                                            // spacing of the tows that cross
+    unsigned int              plies = 1;    // of a cell
+    std::vector<double>       ply_shift;    // over the periods, see the entry
+    std::vector<unsigned int> ply_rotation; // quarter turns; empty: none
+    TowParameters             warp;
+    TowParameters             fill;
   };
 
   /** Straight parallel fibers along x, packed hexagonally. */

@@ -75,17 +75,24 @@ namespace fiberloom
     };
 
     Family       family;
-    unsigned int number; // within the family
+    unsigned int number; // within the family, through all plies
     double
       center; // position across the tow: y of a warp tow, x of a fill tow [mm]
     double                    half_width;     // [mm], fiber surfaces included
     double                    half_thickness; // [mm], fiber surfaces included
     std::vector<unsigned int> fibers;
+    unsigned int              ply = 0; // the lowest is 0
   };
 
   /** What is simulated, as pure geometry. */
   struct FiberSet
   {
+    unsigned int
+    n_plies() const
+    {
+      return tows.empty() ? 0 : tows.back().ply + 1;
+    }
+
     std::vector<Fiber>          fibers; // fibers of one tow are consecutive
     std::vector<Tow>            tows;   // warp tows, then fill tows
     std::optional<WeavePattern> pattern;
@@ -101,6 +108,8 @@ namespace fiberloom
    * that crossing tows interpenetrate (figure 8 of the paper). Warp along x,
    * fill along y, sample centred at the origin; the first section vector of
    * every fiber is horizontal and across the fiber, the second vertical.
+   * Plies of a stack lie so far above each other that they do not touch when
+   * they are woven, and are numbered with all their tows, warp tows first.
    * Throws InputError for tows that overlap their neighbours, and for a cell of
    * no whole periods.
    */

@@ -28,6 +28,17 @@ namespace fiberloom
                  const unsigned int n_warp_tows,
                  const unsigned int n_fill_tows);
 
+    /**
+     * Of a stack: tows of all @p plies , the lowest first, numbered through.
+     * Those of an upper ply are above all of those below it.
+     */
+    explicit WeavePattern(const std::vector<WeavePattern> &plies);
+
+    /** Of the fabric turned by a quarter, against the clock seen from above,
+     * whose tows are numbered along the axes again. */
+    WeavePattern
+    turned() const;
+
     bool
     warp_above(const unsigned int warp, const unsigned int fill) const
     {
@@ -44,6 +55,12 @@ namespace fiberloom
   private:
     std::vector<std::vector<bool>> above; // [fill][warp]
     unsigned int                   tows_of_period = 0;
+
+    unsigned int
+    n_warp() const
+    {
+      return above[0].size();
+    }
   };
 } // namespace fiberloom
 

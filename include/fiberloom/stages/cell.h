@@ -7,6 +7,7 @@
 #include <fiberloom/stages/stage.h>
 
 #include <bitset>
+#include <limits>
 
 namespace fiberloom
 {
@@ -21,14 +22,16 @@ namespace fiberloom
     constexpr unsigned int body = 0;
 
     /** @p free : elongations along warp and fill and the shear whose mean
-     * stress is given. @p holds_height : whether one node stays where it is;
-     * @p holds_spacing : whether the middle fiber of each tow keeps its place
-     * across the tow, where no friction does so. */
+     * stress is given. @p holds_spacing : whether the middle fiber of each tow
+     * keeps its place across the tow, where no friction does so.
+     * @p plies_held : of how many plies, from the lowest on, one node keeps its
+     * height. */
     Supports
-    supports(const Scene         &scene,
-             const std::bitset<3> free,
-             const bool           holds_height  = true,
-             const bool           holds_spacing = false);
+    supports(
+      const Scene         &scene,
+      const std::bitset<3> free,
+      const bool           holds_spacing = false,
+      const unsigned int plies_held = std::numeric_limits<unsigned int>::max());
 
     /** Undeformed where @p state has no cell yet. */
     void

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the fiberloom authors
+
+"""Compaction of a cell: there and back, by pressure, on two ranks, restarted; stacks of plies; the power law's script."""
+
+import json
+import os
+import subprocess
+import sys
+
+from program_runs import SCENES, SOURCE, check, check_same, command, curve, finish, interrupt, n_rows, run
+
+CELL = os.path.join(SCENES, "small_cell.prm")
+STEPS = ["Compact/First step=0.25", "Compact/Largest step=0.25"]
+BACK = ["Stages=compact", "Compact/Thickness=0.0315", "Compact/Return=true",
+        "Compact/First step=0.125", "Compact/Largest step=0.125"]
+PRESSED = ["Compact/Pressure=2", *STEPS]
+STACK = ["Fabric/Plies=2"]
+
+
+def weave(directory, *settings):
+    done = run(CELL, directory, "Stages=weave, relax", *settings)
+    check(f"{directory}: status {done.returncode} {done.stderr}", done.returncode == 0)
+    return os.path.join(directory, "checkpoint")
+
+
+def check_return(woven):
+    for ranks in (1, 2):
+        done = run(CELL, f"back_{ranks}", *BACK, ranks=ranks, restart=woven)
+        check(f"there and back on {ranks} ranks: status {done.returncode}", done.returncode == 0)
+    check_same("  curve", "back_1", "back_2", 1e-4)
+    rows = curve("back_1")
+    there, back = rows[:4], rows[4:]
+    check("  thickness comes back",
+          all(abs(up["thickness[mm]"] - down["thickness[mm]"]) < 1e-9 for up, down in zip(back, there[-2::-1])))
+    check("  pressure is lower on the way back",
+          all(up["pressure[MPa]"] < down["pressure[MPa]"] for up, down in zip(back, there[-2::-1])))
+    slippery = run(CELL, "slippery", *BACK, "Compact/Friction coefficient=0", restart=woven)
+    check(f"plates without friction: status {slippery.returncode}", slippery.returncode == 0)
+    check("  press less", curve("slippery")[3]["pressure[MPa]"] < there[-1]["pressure[MPa]"])
+
+
+def check_restart(woven):
+    stopped = interrupt(command(CELL, "stopped", *BACK, restart=woven), "stopped", "stop", 5)
+    check(f"stopped on the way back: status {stopped} after {n_rows('stopped')} rows",
+          stopped == 3 and 5 <= n_rows("stopped") < n_rows("back_1"))
+    again = run(CELL, "stopped", *BACK, restart=os.path.join("stopped", "checkpoint"))
+    check(f"  restarted: status {again.returncode} {again.stderr}", again.returncode == 0)
+    check_same("  curve", "back_1", "stopped", 1e-10)
+
+
+def press(directory, woven, *settings):
+    done = run(CELL, directory, "Stages=compact", *PRESSED, *settings, restart=woven)
+    check(f"{directory}: status {done.returncode} {done.stderr}", done.returncode == 0)
+    last = curve(directory)[-1]
+    check(f"  pressure {last['pressure[MPa]']:.6f} MPa is met", abs(last["pressure[MPa]"] - 2) < 2e-3)
+    return last["thickness[mm]"]
+
+
+def measures(directory):
+    with open(os.path.join(directory, "summary.json")) as file:
+        return json.load(file)["fabric"]
+
+
+def check_stacks(woven):
+    alone = press("one_ply", woven)
+    straight = press("straight", weave("woven_straight", *STACK), *STACK)
+    shift = [*STACK, "Fabric/Ply shift=0.25, 0.25"]
+    shifted = press("shifted", weave("woven_shifted", *shift), *shift)
+    check(f"  one ply {alone:.4f} mm, two {straight:.4f} mm, shifted {shifted:.4f} mm: plies nest",
+          shifted < straight < 2.2 * alone)
+    one, two = measures("one_ply"), measures("straight")
+    check("  the weight is that of two", abs(two["areal_weight[kg/m2]"] / one["areal_weight[kg/m2]"] - 2) < 1e-3)
+    shown = run(CELL, "shown", *STACK, "--check")
+    turned = subprocess.run([*command(CELL, "shown", *STACK, "Fabric/Ply rotation=0, 1"), "--check"],
+                            capture_output=True, text=True)
+    check("  --check says how many", turned.returncode == 0 and "plies           2\n" in turned.stdout)
+
+
+def check_refusals():
+    for settings, words in ((["Fabric/Plies=2", "Fabric/Periodic=false"], "Plies"),
+                            (["Fabric/Plies=2", "Fabric/Ply rotation=0, 1", "Fabric/Fill/Tow spacing=0.3",
+                              "Fabric/Fill/Same as warp=true"], "no square"),
+                            (["Fabric/Plies=3", "Fabric/Ply rotation=0, 1"], "one for each ply"),
+                            (["Fabric/Plies=2", "Fabric/Ply shift=0.5"], "two for each ply")):
+        done = run(CELL, "refused", *settings)
+        lines = done.stderr.strip().splitlines()
+        check(f"refused: {done.stderr.strip()}", done.returncode == 1 and len(lines) == 1 and words in lines[0])
+        check("  nothing is written", not os.path.exists("refused"))
+
+
+def check_power_law():
+    os.makedirs("law", exist_ok=True)
+    with open(os.path.join("law", "loading_curve.csv"), "w") as file:
+        file.write("stage,fiber_volume_fraction,pressure[MPa]\n")
+        for fraction in (.3, .4, .45, .5, .55, .5):
+            file.write(f"compact,{fraction},{100 * fraction ** 9}\n")
+    done = subprocess.run([sys.executable, os.path.join(SOURCE, "tools", "power_law.py"), "law", "--least", "0"],
+                          capture_output=True, text=True)
+    check(f"power law: {done.stdout.strip()}", done.stdout.startswith("n = 9.00 +- 0.00, a = 100 MPa, spread 0.0 %, 5"))
+
+
+def main():
+    woven = weave("woven")
+    check_return(woven)
+    check_restart(woven)
+    check_stacks(woven)
+    check_refusals()
+    check_power_law()
+    finish()
+
+
+sys.exit(main())
