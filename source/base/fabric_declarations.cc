@@ -5,6 +5,8 @@
 #include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
+#include <limits>
+
 namespace fiberloom
 {
   namespace
@@ -22,6 +24,39 @@ namespace fiberloom
                     "by 1.5 % more than the stretch at a strain of 1 %, or "
                     "linear in the stretch, as in theories of rods.",
                     Allowed::one_of("Saint Venant-Kirchhoff|linear"));
+    }
+
+    void
+    declare_strength(ParameterCatalogue &catalogue,
+                     StrengthParameters &strength)
+    {
+      catalogue.add("Breaking strain",
+                    strength.breaking_strain,
+                    "Largest strain along the fiber, bending included, at "
+                    "which an element of it breaks. 0: by the strength, and "
+                    "without one never.",
+                    Allowed::at_least(0));
+      catalogue.add("Strength",
+                    strength.strength,
+                    "In place of that the stress at which it breaks, Young's "
+                    "modulus times the strain [MPa]; with a Weibull modulus "
+                    "that of which 1/e of the fibers of the reference length "
+                    "hold more. 0: by the breaking strain.",
+                    Allowed::at_least(0));
+      catalogue.add("Weibull modulus",
+                    strength.weibull_modulus,
+                    "How little strengths differ from element to element, 3 "
+                    "to 10 for glass and carbon. 0: not at all.",
+                    Allowed::from_to(0, 1000));
+      catalogue.add("Reference length",
+                    strength.reference_length,
+                    "Length of fiber of which that is the strength [mm], for "
+                    "a Weibull modulus.",
+                    Allowed::at_least(0));
+      catalogue.add("Strength seed",
+                    strength.seed,
+                    "Another number draws other strengths.",
+                    Allowed::whole(0, std::numeric_limits<int>::max()));
     }
 
     void
@@ -132,6 +167,7 @@ namespace fiberloom
                        tows.poisson_ratio,
                        tows.density);
       declare_axial_law(catalogue, tows.axial_law);
+      declare_strength(catalogue, tows.strength);
       catalogue.add(
         "Elements per fiber",
         tows.elements_per_fiber,
@@ -276,6 +312,7 @@ namespace fiberloom
                   "as for Radius.",
                   Allowed::list_of(Allowed::at_least(0), 1));
     declare_axial_law(catalogue, fibers.axial_law);
+    declare_strength(catalogue, fibers.strength);
     catalogue.add("Elements per fiber",
                   fibers.elements_per_fiber,
                   "Number of quadratic beam elements along each fiber. 0: by "

@@ -419,6 +419,23 @@ namespace fiberloom
     }
 
     void
+    check_strength(const StrengthParameters &strength,
+                   const std::string        &section,
+                   const Parameters         &parameters)
+    {
+      if (strength.breaking_strain > 0 && strength.strength > 0)
+        throw InputError(parameters.where(section + "Strength") + ": " +
+                         section +
+                         "Breaking strain is given, too; allowed: "
+                         "one of them");
+      if (strength.weibull_modulus > 0 &&
+          (strength.strength == 0 || strength.reference_length == 0))
+        throw InputError(parameters.where(section + "Weibull modulus") +
+                         ": strengths that differ need Strength and Reference "
+                         "length; allowed: both above 0, or 0 here");
+    }
+
+    void
     check_compact(const Parameters &parameters)
     {
       const CompactParameters &compact = parameters.compact;
@@ -575,6 +592,9 @@ namespace fiberloom
     check_plies(*this);
     check_compact(*this);
     check_ways(*this);
+    check_strength(fabric.warp.strength, "Fabric/Warp/", *this);
+    check_strength(fabric.fill.strength, "Fabric/Fill/", *this);
+    check_strength(fibers.strength, "Fibers/", *this);
     if (output.only_summary && !output.exports.empty())
       throw InputError(where("Output/Export") +
                        ": Output/Only summary is true, so nothing would be "

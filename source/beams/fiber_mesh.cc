@@ -169,10 +169,11 @@ namespace fiberloom
 
 
   bool
-  FiberMesh::is_folded(const DofVector &q) const
+  FiberMesh::is_folded(const DofVector &q, const FiberHistory &history) const
   {
     for (unsigned int e = 0; e < n_elements(); ++e)
-      if (beam_elements[e].is_folded(element_dofs(q, e)))
+      if (beam_elements[e].is_folded(element_dofs(q, e)) &&
+          !history.is_broken(e))
         return true;
     return false;
   }

@@ -161,6 +161,7 @@ namespace fiberloom
       fiber.poisson_ratio = family.tows.poisson_ratio;
       fiber.density       = family.tows.density;
       fiber.law           = axial_law(family.tows.axial_law);
+      fiber.strength      = family.tows.strength;
       for (unsigned int n = 0; n < n_nodes; ++n)
         fiber.centers.push_back(
           middle +

@@ -227,8 +227,9 @@ namespace fiberloom
           value_of(fibers.young_modulus, "Young modulus", group, n_groups);
         fiber.poisson_ratio =
           value_of(fibers.poisson_ratio, "Poisson ratio", group, n_groups);
-        fiber.density = value_of(fibers.density, "Density", group, n_groups);
-        fiber.law     = axial_law(fibers.axial_law);
+        fiber.density  = value_of(fibers.density, "Density", group, n_groups);
+        fiber.law      = axial_law(fibers.axial_law);
+        fiber.strength = fibers.strength;
         return fiber;
       }
 

@@ -300,12 +300,12 @@ namespace fiberloom
         if (!touches_owned(group.nodes.data(), 3, mesh.originals()))
           continue;
         const auto q = mesh.element_dofs(state.q, e);
-        if constexpr (with_tangent)
-          mesh.element(e).residual_and_tangent(q,
-                                               group.residual,
-                                               group.tangent);
-        else
-          mesh.element(e).residual(q, group.residual);
+        mesh.visit_element(e, state.fibers, [&](const BeamElement &element) {
+          if constexpr (with_tangent)
+            element.residual_and_tangent(q, group.residual, group.tangent);
+          else
+            element.residual(q, group.residual);
+        });
         scale = std::max(scale, group.residual.lpNorm<Eigen::Infinity>());
         scatter<with_tangent>(state, group, mesh.originals());
       }

@@ -17,7 +17,10 @@ namespace fiberloom
     double energy = 0;
     for (unsigned int e = 0; e < mesh.n_elements(); ++e)
       if (numbering.local_block(mesh.first_node(e)) >= 0)
-        energy += mesh.element(e).energy(mesh.element_dofs(state.q, e));
+        energy +=
+          mesh.visit_element(e, state.fibers, [&](const BeamElement &element) {
+            return element.energy(mesh.element_dofs(state.q, e));
+          });
     const DofVector q = mesh.with_images(state.q);
     for (const ContactElement &contact : contacts)
       if (numbering.local_block(original(contact.first_nodes[0])) >= 0)

@@ -26,7 +26,7 @@
 #include <cstring>
 #include <sstream>
 
-BOOST_CLASS_VERSION(fiberloom::StageStatistics, 7)
+BOOST_CLASS_VERSION(fiberloom::StageStatistics, 8)
 
 namespace boost
 {
@@ -84,6 +84,8 @@ namespace boost
         ar &s.coarse_iterations &s.seconds.coarse;
       if (version >= 7)
         ar &s.turning_points;
+      if (version >= 8)
+        ar &s.broken;
     }
 
     template <class Archive>

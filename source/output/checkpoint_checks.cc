@@ -41,6 +41,16 @@ namespace fiberloom
              (x.allFinite() && x.cwiseAbs().maxCoeff() <= farthest_point);
     }
 
+    /** Of stages, in files that are written. */
+    bool
+    is_name(const std::string &name)
+    {
+      return name.size() < 100 &&
+             std::all_of(name.begin(), name.end(), [](const char c) {
+               return (c >= 'a' && c <= 'z') || c == ' ' || c == '_';
+             });
+    }
+
     void
     check_placements(const std::vector<Placement> &placements)
     {
@@ -88,6 +98,18 @@ namespace fiberloom
                             mesh) &&
                  is_near(Vector3(entry.slip[0], entry.slip[1], 0)),
                "a slip on a plate");
+    }
+
+    void
+    check_breaks(const FiberHistory &history, const FiberMesh &mesh)
+    {
+      for (const auto &[element, entry] : history.breaks)
+        demand(element < mesh.n_elements() &&
+                 entry.number < history.breaks.size() && is_name(entry.stage) &&
+                 is_within(entry.load, 0, 1) &&
+                 is_within(entry.strain, 0, largest_number) &&
+                 is_near(entry.place),
+               "a break of a fiber");
     }
 
     /** Sorted lists are searched by halving. */
@@ -187,16 +209,6 @@ namespace fiberloom
              "a position");
     }
 
-    /** Of stages, in files that are written. */
-    bool
-    is_name(const std::string &name)
-    {
-      return name.size() < 100 &&
-             std::all_of(name.begin(), name.end(), [](const char c) {
-               return (c >= 'a' && c <= 'z') || c == ' ' || c == '_';
-             });
-    }
-
     void
     check_progress(const State &state)
     {
@@ -246,6 +258,7 @@ namespace fiberloom
     check_placements(state.previous.placements);
     check_contact(state.contact, mesh.with_images());
     check_order(state.contact);
+    check_breaks(state.fibers, mesh);
     check_progress(state);
     for (const StageStatistics &statistics : checkpoint.stages)
       check_statistics(statistics);

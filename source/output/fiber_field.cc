@@ -20,6 +20,8 @@ namespace fiberloom
     using Doubles  = vtkSmartPointer<vtkDoubleArray>;
     using Integers = vtkSmartPointer<vtkIntArray>;
 
+    constexpr unsigned int n_intervals = 4; // of an element
+
     struct FiberPointData
     {
       explicit FiberPointData(vtkPointData *data)
@@ -57,15 +59,33 @@ namespace fiberloom
       Doubles  axial_force, bending_moment, torque, curvature;
       Integers tow, fiber;
     };
+
+    void
+    append_broken(vtkIntArray           *broken,
+                  const FiberMesh::Line &line,
+                  const FiberHistory    &history)
+    {
+      for (unsigned int i = 0; i <= n_intervals * line.n_elements; ++i)
+        {
+          // A point between two elements belongs to both.
+          const unsigned int after  = i / n_intervals,
+                             before = (i + n_intervals - 1) / n_intervals;
+          broken->InsertNextValue(
+            (after < line.n_elements &&
+             history.is_broken(line.first_element + after)) ||
+            (before > 0 && history.is_broken(line.first_element + before - 1)));
+        }
+    }
   } // namespace
 
 
 
   vtkSmartPointer<vtkUnstructuredGrid>
-  fiber_field(const FiberMesh   &mesh,
-              const DofVector   &q,
-              const unsigned int begin,
-              const unsigned int end)
+  fiber_field(const FiberMesh    &mesh,
+              const DofVector    &q,
+              const unsigned int  begin,
+              const unsigned int  end,
+              const FiberHistory *history)
   {
     auto              grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
     vtkNew<vtkPoints> points;
@@ -73,6 +93,9 @@ namespace fiberloom
     grid->SetPoints(points);
 
     FiberPointData point_data(grid->GetPointData());
+    const Integers broken =
+      history ? add_field_array<vtkIntArray>(grid->GetPointData(), "broken") :
+                nullptr;
     auto tows   = add_field_array<vtkIntArray>(grid->GetCellData(), "tow");
     auto fibers = add_field_array<vtkIntArray>(grid->GetCellData(), "fiber");
 
@@ -80,12 +103,15 @@ namespace fiberloom
     for (unsigned int f = begin; f < end; ++f)
       {
         corners->Reset();
-        for (const FiberSample &sample : sample_fiber(mesh, q, f, 4))
+        for (const FiberSample &sample : sample_fiber(
+               mesh, q, f, n_intervals, history ? *history : FiberHistory()))
           {
             corners->InsertNextId(
               points->InsertNextPoint(sample.section.center.data()));
             point_data.append(sample, mesh.lines()[f], f);
           }
+        if (history)
+          append_broken(broken, mesh.lines()[f], *history);
         grid->InsertNextCell(VTK_POLY_LINE, corners);
         tows->InsertNextValue(mesh.lines()[f].tow);
         fibers->InsertNextValue(f);

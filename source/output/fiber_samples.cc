@@ -51,31 +51,37 @@ namespace fiberloom
     }
 
     BeamValues
-    gauss_values(const FiberMesh   &mesh,
-                 const DofVector   &q,
-                 const unsigned int element,
-                 const unsigned int point)
+    gauss_values(const FiberMesh    &mesh,
+                 const DofVector    &q,
+                 const FiberHistory &history,
+                 const ElementPoint &point)
     {
-      const double xi      = (point == 0 ? -1 : 1) / std::sqrt(3.);
-      const auto   dofs    = mesh.element_dofs(q, element);
-      const auto   forces  = mesh.element(element).section_forces(dofs, point);
-      const auto   section = mesh.section(q, {element, xi});
+      const auto dofs    = mesh.element_dofs(q, point.element);
+      const auto section = mesh.section(q, point);
+      const auto forces =
+        mesh.visit_element(point.element,
+                           history,
+                           [&](const BeamElement &element) {
+                             return element.section_forces(dofs, point.xi > 0);
+                           });
 
       BeamValues values;
       values << forces.force.dot(section.tangent()), forces.moment,
-        curvature_vector(dofs, xi);
+        curvature_vector(dofs, point.xi);
       return values;
     }
 
     /** At the samples of one element, its two ends included. */
     std::vector<BeamValues>
-    element_values(const FiberMesh   &mesh,
-                   const DofVector   &q,
-                   const unsigned int element,
-                   const unsigned int n_intervals)
+    element_values(const FiberMesh    &mesh,
+                   const DofVector    &q,
+                   const FiberHistory &history,
+                   const unsigned int  element,
+                   const unsigned int  n_intervals)
     {
-      const BeamValues first  = gauss_values(mesh, q, element, 0);
-      const BeamValues second = gauss_values(mesh, q, element, 1);
+      const double     xi     = 1 / std::sqrt(3.);
+      const BeamValues first  = gauss_values(mesh, q, history, {element, -xi});
+      const BeamValues second = gauss_values(mesh, q, history, {element, xi});
 
       std::vector<BeamValues> values;
       for (unsigned int i = 0; i <= n_intervals; ++i)
@@ -88,18 +94,19 @@ namespace fiberloom
     }
 
     std::vector<BeamValues>
-    fiber_values(const FiberMesh   &mesh,
-                 const DofVector   &q,
-                 const unsigned int fiber,
-                 const unsigned int n_intervals)
+    fiber_values(const FiberMesh    &mesh,
+                 const DofVector    &q,
+                 const FiberHistory &history,
+                 const unsigned int  fiber,
+                 const unsigned int  n_intervals)
     {
       const auto             &line = mesh.lines()[fiber];
       std::vector<BeamValues> values(line.n_elements * n_intervals + 1,
                                      BeamValues::Zero());
       for (unsigned int e = 0; e < line.n_elements; ++e)
         {
-          const auto part =
-            element_values(mesh, q, line.first_element + e, n_intervals);
+          const auto part = element_values(
+            mesh, q, history, line.first_element + e, n_intervals);
           for (unsigned int i = 0; i <= n_intervals; ++i)
             values[e * n_intervals + i] += part[i];
         }
@@ -112,14 +119,15 @@ namespace fiberloom
 
 
   std::vector<FiberSample>
-  sample_fiber(const FiberMesh   &mesh,
-               const DofVector   &q,
-               const unsigned int fiber,
-               const unsigned int n_intervals)
+  sample_fiber(const FiberMesh    &mesh,
+               const DofVector    &q,
+               const unsigned int  fiber,
+               const unsigned int  n_intervals,
+               const FiberHistory &history)
   {
     const auto &line     = mesh.lines()[fiber];
     const auto  sections = sample_sections(mesh, q, fiber, n_intervals);
-    const auto  values   = fiber_values(mesh, q, fiber, n_intervals);
+    const auto  values   = fiber_values(mesh, q, history, fiber, n_intervals);
 
     std::vector<FiberSample> samples;
     for (unsigned int i = 0; i < sections.size(); ++i)

@@ -49,7 +49,7 @@ namespace fiberloom
 
   vtkSmartPointer<vtkUnstructuredGrid>
   section_field(const FiberMesh   &mesh,
-                const DofVector   &q,
+                const State       &state,
                 const unsigned int begin,
                 const unsigned int end,
                 const unsigned int n_around)
@@ -68,7 +68,8 @@ namespace fiberloom
     for (unsigned int f = begin; f < end; ++f)
       {
         std::vector<Section> sections;
-        for (const FiberSample &sample : sample_fiber(mesh, q, f, 4))
+        for (const FiberSample &sample :
+             sample_fiber(mesh, state.q, f, 4, state.fibers))
           {
             sections.push_back(sample.section);
             for (unsigned int j = 0; j < n_around; ++j)

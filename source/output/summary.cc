@@ -203,7 +203,8 @@ namespace fiberloom
         .member("negative_pivots", stage.negative_pivots)
         .raw("estimated_error", error)
         .member("crossings_out_of_order", stage.crossings_out_of_order)
-        .member("contact_elements", stage.contact_elements);
+        .member("contact_elements", stage.contact_elements)
+        .member("broken", stage.broken);
       if (!stage.membrane_stiffness.empty())
         object.raw("membrane_stiffness_N_per_mm",
                    matrix_json(stage.membrane_stiffness));

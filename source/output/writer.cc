@@ -4,6 +4,9 @@
 #include <fiberloom/base/exceptions.h>
 #include <fiberloom/base/version.h>
 
+#include <fiberloom/beams/breakage.h>
+
+#include <fiberloom/output/breaks.h>
 #include <fiberloom/output/contact_field.h>
 #include <fiberloom/output/exports.h>
 #include <fiberloom/output/fiber_field.h>
@@ -189,7 +192,10 @@ namespace fiberloom
     const SecondsGuard guard(output_seconds);
     log_size = log.size();
     count(composite);
-    if (state.increment > 0 || parameters.output.only_summary)
+    if (parameters.output.only_summary)
+      return;
+    write_breaks(state.fibers);
+    if (state.increment > 0)
       return;
     const std::string label =
       increment_label(stage_label(parameters.stages, state.stage), 0);
@@ -250,6 +256,7 @@ namespace fiberloom
     const State      &state = report.state;
     const std::string label = stage_label(parameters.stages, state.stage);
     write_tables(report);
+    write_breaks(state.fibers);
     if (is_due(parameters.output.slices_every, report))
       write_slices(state,
                    report.stage,
@@ -468,11 +475,15 @@ namespace fiberloom
     const auto [first_contact, last_contact] =
       share_of_rank(contacts.size(), comm);
 
-    fiber_series.write(fiber_field(mesh, state.q, first_fiber, last_fiber),
+    fiber_series.write(fiber_field(mesh,
+                                   state.q,
+                                   first_fiber,
+                                   last_fiber,
+                                   can_break(fibers) ? &state.fibers : nullptr),
                        time,
                        label);
     section_series.write(section_field(mesh,
-                                       state.q,
+                                       state,
                                        first_fiber,
                                        last_fiber,
                                        parameters.output.section_points),
@@ -540,6 +551,19 @@ namespace fiberloom
       const bool durable = is_due(parameters.output.checkpoint_every, report);
       for (const IncrementTable *table : tables())
         write_file(path(table->file()), table->str(), durable);
+    });
+  }
+
+
+
+  void
+  OutputWriter::write_breaks(const FiberHistory &history)
+  {
+    if (!can_break(fibers))
+      return;
+    collectively(comm, [&]() {
+      if (is_first_rank())
+        write_file(path("breaks.csv"), breaks_csv(mesh, history), true);
     });
   }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace fiberloom
 {
@@ -86,6 +87,7 @@ namespace fiberloom
         if (refinement.stations != 1)
           zone.divided.clear();
       }
+    state.fibers = fiber_history(state.fibers);
     for (FrictionHistory &slip : state.contact.history)
       for (unsigned int s = 0; s < 2; ++s)
         slip.u[s] *= ratio(slip.fibers[s]);
@@ -121,6 +123,25 @@ namespace fiberloom
               N[a] * displacement.segment<9>(
                        9 * (coarse.first_node(point.element) + a));
         }
+    return result;
+  }
+
+
+
+  FiberHistory
+  Transfer::fiber_history(const FiberHistory &history) const
+  {
+    FiberHistory result;
+    for (const auto &[element, entry] : history.breaks)
+      {
+        const unsigned int f = coarse.fiber_of_element(element),
+                           n = std::lround(ratio(f));
+        for (unsigned int part = 0; part < n; ++part)
+          result
+            .breaks[fine.lines()[f].first_element +
+                    n * (element - coarse.lines()[f].first_element) + part] =
+            entry;
+      }
     return result;
   }
 

@@ -95,6 +95,9 @@ namespace fiberloom
     , statistics(statistics)
     , log(log)
     , stop_requested(std::move(stop_requested))
+    , breakage(stage.is_test() && can_break(scene.fibers) ?
+                 std::make_unique<Breakage>(scene.fibers, scene.mesh) :
+                 nullptr)
     , supports(stage.supports(is_begun(state) ? state.stage_start_q : state.q))
     , system(scene.mesh, supports, comm, scene.composite)
     , equilibrium(scene.mesh,
@@ -248,7 +251,8 @@ namespace fiberloom
           stage.least_force_scale(load),
           load - state.load,
           stage.guess(state, load - state.load)};
-        const bool solved = equilibrium.solve(found, problem);
+        const bool solved = equilibrium.solve(found, problem) &&
+                            break_fibers(found, problem, load);
         if (!system.has_potential(problem.targets))
           statistics.unsymmetric_systems +=
             statistics.newton_iterations - newton_before;
@@ -281,6 +285,35 @@ namespace fiberloom
                    name % load % state.step)
                     .str());
       }
+  }
+
+
+
+  bool
+  StageRun::break_fibers(State                      &found,
+                         const Equilibrium::Problem &problem,
+                         const double                load)
+  {
+    while (breakage)
+      {
+        const std::vector<unsigned int> broken =
+          breakage->advance(found.q, found.fibers);
+        if (broken.empty())
+          break;
+        for (const unsigned int element : broken)
+          {
+            Break &entry    = found.fibers.breaks[element];
+            entry.stage     = name;
+            entry.increment = found.increment + 1;
+            entry.load      = load;
+          }
+        log.write((boost::format("  %-6s breaks at load %.4f: %u, %u in all") %
+                   name % load % broken.size() % found.fibers.breaks.size())
+                    .str());
+        if (!equilibrium.solve_again(found, problem))
+          return false;
+      }
+    return true;
   }
 
 
@@ -365,11 +398,15 @@ namespace fiberloom
         found.reactions = system.reactions();
         found.work += work(state, found);
       }
-    found.previous = {std::move(state.q),
-                      std::move(state.placements),
-                      state.load};
-    state          = std::move(found);
-    state.load     = load;
+    // What jumps where fibers break does not tell how it goes on.
+    if (found.fibers.breaks.size() > state.fibers.breaks.size())
+      found.previous = {};
+    else
+      found.previous = {std::move(state.q),
+                        std::move(state.placements),
+                        state.load};
+    state      = std::move(found);
+    state.load = load;
     ++state.increment;
     state.contact.history =
       friction_history(equilibrium.contacts(), scene.mesh.with_images());
@@ -384,6 +421,7 @@ namespace fiberloom
     statistics.friction_history = state.contact.history.size();
     statistics.exchanged_values = system.matrix().n_exchanged();
     statistics.contact_elements = equilibrium.contacts().size();
+    statistics.broken           = state.fibers.breaks.size();
     statistics.largest_penetration_over_radius =
       std::max(statistics.largest_penetration_over_radius,
                equilibrium.largest_penetration());
@@ -471,6 +509,8 @@ namespace fiberloom
     if (stage.shows_balance())
       for (const auto &column : balance(state))
         curve.push_back(column);
+    if (breakage)
+      curve.emplace_back("broken", state.fibers.breaks.size());
     observer({name,
               state,
               equilibrium.contacts(),

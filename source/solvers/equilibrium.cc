@@ -66,6 +66,7 @@ namespace fiberloom
       {
         State moved;
         moved.q          = state.q;
+        moved.fibers     = state.fibers;
         moved.placements = state.placements;
         system.motion().advance(moved, step, tried);
         const double work = system.load_work(problem.targets, state, moved);
@@ -93,7 +94,7 @@ namespace fiberloom
       std::max(increment.tolerance(), system.rounding_force() / scale);
     if (!moves && residual < allowed)
       {
-        folded = mesh.is_folded(state.q);
+        folded = mesh.is_folded(state.q, state.fibers);
         return folded ? Step::failed : Step::converged;
       }
     if (!std::isfinite(residual))
@@ -209,7 +210,7 @@ namespace fiberloom
           // An end that turns back folds the elements next to it. And thrown
           // apart, fibers that are held in each other would come back unseen,
           // on any side.
-          too_far = mesh.is_folded(state.q);
+          too_far = mesh.is_folded(state.q, state.fibers);
           if (!too_far)
             {
               increment.regenerate(state, problem);
@@ -232,6 +233,25 @@ namespace fiberloom
       return false;
     if (n_yardsticks == 0)
       time_yardstick();
+    return keeps_sides(state, problem);
+  }
+
+
+
+  bool
+  Equilibrium::solve_again(State &state, const Problem &problem)
+  {
+    folded = passed = false;
+    increment.regenerate(state,
+                         is_nested(problem) ? problem : following(problem));
+    return solve_from_contacts(state, problem) && keeps_sides(state, problem);
+  }
+
+
+
+  bool
+  Equilibrium::keeps_sides(const State &state, const Problem &problem)
+  {
     // Only a weave turns sides, as its pattern says.
     passed =
       !problem.rule.from_above && generator.may_pass(problem.before.q, state.q);
@@ -249,27 +269,51 @@ namespace fiberloom
 
 
 
+  Problem
+  Equilibrium::following(const Problem &problem)
+  {
+    Problem following            = problem;
+    following.rule.points_follow = true;
+    return following;
+  }
+
+
+
+  bool
+  Equilibrium::is_nested(const Problem &problem) const
+  {
+    return parameters.solver.loops == "nested" || problem.rule.from_above ||
+           !system.has_potential(problem.targets);
+  }
+
+
+
   bool
   Equilibrium::find(State &state, const Problem &problem)
   {
     folded = false;
-    if (parameters.solver.loops == "nested" || problem.rule.from_above ||
-        !system.has_potential(problem.targets))
-      return extrapolate(state, problem) && solve_nested(state, problem);
-    Problem following            = problem;
-    following.rule.points_follow = true;
-    if (!extrapolate(state, following))
-      return false;
+    return extrapolate(state,
+                       is_nested(problem) ? problem : following(problem)) &&
+           solve_from_contacts(state, problem);
+  }
+
+
+
+  bool
+  Equilibrium::solve_from_contacts(State &state, const Problem &problem)
+  {
+    if (is_nested(problem))
+      return solve_nested(state, problem);
     if (increment.contacts.empty())
       {
         if (!newton(state, problem))
           return false;
         // What moved without contact may have come to touch.
-        increment.generate(state, following);
+        increment.generate(state, following(problem));
         if (increment.contacts.empty())
           return true;
       }
-    return solve_by_newton(state, following);
+    return solve_by_newton(state, problem);
   }
 
 
@@ -277,15 +321,13 @@ namespace fiberloom
   bool
   Equilibrium::solve_by_newton(State &state, const Problem &problem)
   {
-    Problem following            = problem;
-    following.rule.points_follow = true;
     if (!by_newton.solve(state,
-                         following,
+                         following(problem),
                          parameters.solver.largest_loop_iterations,
                          &penetration))
       return false;
     last_negative_pivots = by_newton.negative_pivots();
-    folded               = mesh.is_folded(state.q);
+    folded               = mesh.is_folded(state.q, state.fibers);
     if (folded)
       return false;
     time_yardstick();
@@ -297,10 +339,8 @@ namespace fiberloom
   bool
   Equilibrium::solve_from(State &state, const Problem &problem)
   {
-    Problem following            = problem;
-    following.rule.points_follow = true;
-    increment.generate(state, following);
-    return solve_by_newton(state, following);
+    increment.generate(state, following(problem));
+    return solve_by_newton(state, problem);
   }
 
 

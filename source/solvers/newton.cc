@@ -235,6 +235,7 @@ namespace fiberloom
   {
     State moved;
     moved.q          = state.q;
+    moved.fibers     = state.fibers;
     moved.placements = state.placements;
     system.motion().advance(moved, increment, factor);
     return moved;

@@ -4,6 +4,8 @@
 #ifndef fiberloom_base_parameters_h
 #define fiberloom_base_parameters_h
 
+#include <fiberloom/base/strength_parameters.h>
+
 #include <cmath>
 #include <iosfwd>
 #include <map>
@@ -31,11 +33,12 @@ namespace fiberloom
     double                    fiber_spacing = 2.06;  // over the radius
     double                    tow_spacing   = 0.24;  // [mm]
     double overhang = 0; // [mm], automatic: half a spacing of the crossing tows
-    double young_modulus            = 73000; // [MPa]
-    double poisson_ratio            = 0.22;
-    double density                  = 0;                        // [t/mm^3]
-    std::string  axial_law          = "Saint Venant-Kirchhoff"; // | linear
-    unsigned int elements_per_fiber = 0;                        // automatic
+    double young_modulus         = 73000; // [MPa]
+    double poisson_ratio         = 0.22;
+    double density               = 0;                        // [t/mm^3]
+    std::string        axial_law = "Saint Venant-Kirchhoff"; // | linear
+    unsigned int       elements_per_fiber = 0;               // automatic
+    StrengthParameters strength;
 
     /** Mean, where these tows cross @p crossing [mm]. */
     double
@@ -99,6 +102,7 @@ namespace fiberloom
     std::vector<double> density       = {0};                      // [t/mm^3]
     std::string         axial_law     = "Saint Venant-Kirchhoff"; // | linear
     unsigned int        elements_per_fiber = 8;
+    StrengthParameters  strength;
 
     /** The entries that say where fibers come from, of those given. */
     std::vector<std::string>

@@ -68,6 +68,7 @@ namespace fiberloom
     int          negative_pivots                 = 0; // of the last tangent
     unsigned int crossings_out_of_order          = 0;
     std::size_t  contact_elements                = 0;
+    std::size_t  broken                          = 0; // elements of fibers
     Seconds      seconds;
 
     ErrorEstimate estimated_error;

@@ -79,6 +79,24 @@ namespace fiberloom
     bool
     is_folded(const Vector &q) const;
 
+    /**
+     * Of a line along the fiber in its sections, to first order in the
+     * curvature: that of the stretch of the centre line and, on the outermost
+     * line, of bending. The larger one of the two Gauss points.
+     */
+    double
+    largest_strain(const Vector &q) const;
+
+    /**
+     * This element broken through: it carries no force from one end to the
+     * other, while its sections keep their own stiffness in plane stress, so
+     * that what touches it does not crush them. A millionth of the stiffness
+     * is left, since pieces of a fiber that nothing else holds would otherwise
+     * make the equations singular.
+     */
+    BeamElement
+    broken() const;
+
     /** Reference length of the centre line [mm]. */
     double
     length() const

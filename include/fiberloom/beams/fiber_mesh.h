@@ -9,6 +9,7 @@
 #include <fiberloom/fabric/fiber_images.h>
 
 #include <fiberloom/beams/beam_element.h>
+#include <fiberloom/beams/fiber_history.h>
 #include <fiberloom/beams/shape_functions.h>
 
 #include <Eigen/Geometry>
@@ -113,6 +114,17 @@ namespace fiberloom
       return beam_elements[e];
     }
 
+    /** What @p visit returns of an element as @p history has left it. */
+    template <class Visitor>
+    auto
+    visit_element(const unsigned int  e,
+                  const FiberHistory &history,
+                  const Visitor      &visit) const
+    {
+      return history.is_broken(e) ? visit(beam_elements[e].broken()) :
+                                    visit(beam_elements[e]);
+    }
+
     /** Stress-free placement. */
     const DofVector &
     reference() const
@@ -133,9 +145,10 @@ namespace fiberloom
       return q.segment<27>(dofs_per_node * first_node(element));
     }
 
-    /** Whether an element of any fiber is, see BeamElement. */
+    /** Whether an element of any fiber is, see BeamElement; broken ones do not
+     * count. */
     bool
-    is_folded(const DofVector &q) const;
+    is_folded(const DofVector &q, const FiberHistory &history) const;
 
     /**
      * Largest relative change of a section's width at a node, over all its

@@ -4,6 +4,7 @@
 #ifndef fiberloom_fabric_fiber_set_h
 #define fiberloom_fabric_fiber_set_h
 
+#include <fiberloom/base/strength_parameters.h>
 #include <fiberloom/base/vector_types.h>
 
 #include <fiberloom/fabric/weave_pattern.h>
@@ -52,9 +53,10 @@ namespace fiberloom
     std::vector<Vector3> directions_1;
     std::vector<Vector3> directions_2;
 
-    std::optional<FiberPlacement> initial = {}; // if it starts under stress
-    double                        density = 0;  // [t/mm^3]
-    AxialLaw                      law     = AxialLaw::saint_venant_kirchhoff;
+    std::optional<FiberPlacement> initial  = {}; // if it starts under stress
+    double                        density  = 0;  // [t/mm^3]
+    AxialLaw                      law      = AxialLaw::saint_venant_kirchhoff;
+    StrengthParameters            strength = {};
 
     unsigned int
     n_elements() const

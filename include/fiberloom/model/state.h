@@ -6,6 +6,8 @@
 
 #include <fiberloom/base/vector_types.h>
 
+#include <fiberloom/beams/fiber_history.h>
+
 #include <fiberloom/contact/contact_state.h>
 
 #include <fiberloom/coupling/rigid_body.h>
@@ -44,6 +46,7 @@ namespace fiberloom
     std::vector<Placement> stage_start_placements;
     DofVector              stage_start_q;
     ContactState           contact;
+    FiberHistory           fibers;
 
     Past previous; // one increment ago, to extrapolate from
 
@@ -96,7 +99,7 @@ namespace fiberloom
       ar &placements &stage_start_placements &contact;
       ar &previous.placements          &previous.load;
       ar &stage &increment &load &step &dissipation;
-      ar &stages_done                  &scene_stages;
+      ar &stages_done &scene_stages    &fibers;
       if (version >= 1) // checkpoints from before these stay readable
         {
           auto n = reactions.size();

@@ -15,13 +15,15 @@ namespace fiberloom
    * The fibers @p begin to @p end as polylines with four intervals an element.
    * Point data: radius, displacement, section_vector_1 and _2 (g1, g2, free
    * of units), axial_force [N], bending_moment and torque [N mm], curvature
-   * [1/mm], tow, fiber. Cell data: tow, fiber.
+   * [1/mm], tow, fiber. Cell data: tow, fiber. Where @p history is given, point
+   * data have broken, too, 1 on elements that are.
    */
   vtkSmartPointer<vtkUnstructuredGrid>
-  fiber_field(const FiberMesh   &mesh,
-              const DofVector   &q,
-              const unsigned int begin,
-              const unsigned int end);
+  fiber_field(const FiberMesh    &mesh,
+              const DofVector    &q,
+              const unsigned int  begin,
+              const unsigned int  end,
+              const FiberHistory *history = nullptr);
 } // namespace fiberloom
 
 #endif

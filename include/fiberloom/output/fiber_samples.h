@@ -27,12 +27,14 @@ namespace fiberloom
    * included. Placements come from the quadratic interpolation; forces,
    * moments and curvature are extrapolated from the two Gauss points, where
    * they are most accurate, and averaged between the elements of a node.
+   * Where @p history has broken the fiber there are none.
    */
   std::vector<FiberSample>
-  sample_fiber(const FiberMesh   &mesh,
-               const DofVector   &q,
-               const unsigned int fiber,
-               const unsigned int n_intervals);
+  sample_fiber(const FiberMesh    &mesh,
+               const DofVector    &q,
+               const unsigned int  fiber,
+               const unsigned int  n_intervals,
+               const FiberHistory &history = {});
 
   /** The same points without forces: parameter and section only. */
   std::vector<Section>

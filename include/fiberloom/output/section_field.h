@@ -6,6 +6,8 @@
 
 #include <fiberloom/beams/fiber_mesh.h>
 
+#include <fiberloom/model/state.h>
+
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -19,7 +21,7 @@ namespace fiberloom
    */
   vtkSmartPointer<vtkUnstructuredGrid>
   section_field(const FiberMesh   &mesh,
-                const DofVector   &q,
+                const State       &state,
                 const unsigned int begin,
                 const unsigned int end,
                 const unsigned int n_around);

@@ -182,6 +182,10 @@ namespace fiberloom
             const unsigned int increment,
             const DofVector   &q);
 
+    /** breaks.csv, where fibers can break. */
+    void
+    write_breaks(const FiberHistory &history);
+
     std::vector<IncrementTable *>
     tables();
 

@@ -59,6 +59,10 @@ namespace fiberloom
     DofVector
     fiber_dofs(const DofVector &q) const;
 
+    /** All of what is in the place of a broken element is broken. */
+    FiberHistory
+    fiber_history(const FiberHistory &history) const;
+
     Eigen::VectorXd
     matrix_dofs(const DofVector &q) const;
 

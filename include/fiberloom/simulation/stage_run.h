@@ -7,9 +7,12 @@
 #include <fiberloom/base/log.h>
 #include <fiberloom/base/parameters.h>
 
+#include <fiberloom/beams/breakage.h>
+
 #include <fiberloom/stages/stage.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace fiberloom
@@ -90,6 +93,16 @@ namespace fiberloom
     void
     show_start(State &state, const IncrementObserver &observer);
 
+    /**
+     * Breaks what does not hold in @p found , which is in balance at @p load ,
+     * and finds balance again until all holds. False, with @p found spoilt,
+     * where there is none.
+     */
+    bool
+    break_fibers(State                      &found,
+                 const Equilibrium::Problem &problem,
+                 const double                load);
+
     /** Where the increment that failed is farthest from balance, at @p state ,
      * for the message. */
     std::string
@@ -126,20 +139,21 @@ namespace fiberloom
     std::string
     iteration_line(const Equilibrium::Progress &progress) const;
 
-    const Scene           scene;
-    const Stage          &stage;
-    const std::string     name;
-    ContactGenerator     &generator;
-    StageStatistics      &statistics;
-    Log                  &log;
-    std::function<bool()> stop_requested;
-    const Supports        supports;
-    System                system;
-    Equilibrium           equilibrium;
-    StageStatistics       shown; // what the last line of the log has told
-    unsigned int          counted_searches; // are in the statistics
-    State                 last_start;
-    double                load_at_start = 0;
+    const Scene                           scene;
+    const Stage                          &stage;
+    const std::string                     name;
+    ContactGenerator                     &generator;
+    StageStatistics                      &statistics;
+    Log                                  &log;
+    std::function<bool()>                 stop_requested;
+    const std::unique_ptr<const Breakage> breakage; // null: nothing breaks
+    const Supports                        supports;
+    System                                system;
+    Equilibrium                           equilibrium;
+    StageStatistics shown;            // what the last line of the log has told
+    unsigned int    counted_searches; // are in the statistics
+    State           last_start;
+    double          load_at_start = 0;
   };
 } // namespace fiberloom
 

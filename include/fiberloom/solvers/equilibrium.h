@@ -63,6 +63,13 @@ namespace fiberloom
     evaluate(State &state, const Problem &problem);
 
     /**
+     * The same from @p state , which was in balance before its fibers were
+     * broken.
+     */
+    bool
+    solve_again(State &state, const Problem &problem);
+
+    /**
      * From @p state , whose contacts have been generated, by Newton's method;
      * zones in which fibers are too deep are stiffened in between.
      */
@@ -128,6 +135,22 @@ namespace fiberloom
     /** As solve(), whatever the fibers may have passed. */
     bool
     find(State &state, const Problem &problem);
+
+    /** Whether nothing may have passed; remembers that. */
+    bool
+    keeps_sides(const State &state, const Problem &problem);
+
+    /** @p problem with contact points that follow the fibers. */
+    static Problem
+    following(const Problem &problem);
+
+    /** Whether the nested loops solve it. */
+    bool
+    is_nested(const Problem &problem) const;
+
+    /** From contacts that have been generated for the loops that solve it. */
+    bool
+    solve_from_contacts(State &state, const Problem &problem);
 
     bool
     newton(State &state, const Problem &problem);
