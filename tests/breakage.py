@@ -8,12 +8,11 @@ import json
 import os
 import sys
 
-from program_runs import SCENES, SOURCE, check, check_same, curve, finish, run
+from program_runs import SOURCE, check, check_same, curve, finish, run
 
 BUNDLE = os.path.join(SOURCE, "prm", "gallery", "breaking_bundle.prm")
 FEW = ["Fibers/Bundle/Fibers=7", "Fibers/Elements per fiber=2", "Load/First step=0.1", "Load/Largest step=0.1",
        "Solver/Error estimate=false", "Output/Pictures=false"]
-TOUCHING = ["Fibers/Bundle/Spacing=2.02", "Load/End=0.6"]
 
 
 def breaks(directory):
@@ -49,11 +48,30 @@ def main():
     check_run("2 ranks", "ranks", *FEW, ranks=2)
     check_equal("2 ranks", "straight", "ranks")
 
-    # Stopped by a function that is not finite any more, between breaks.
-    half = sorted(increments.values())[len(increments) // 2]
-    load = curve("straight")[half - 1]["load"]
-    stop = f"Drive end/Translation=if(t < {load + .01}, 0.1*t, 1/0); 0; 0"
-    check_run("stopped", "stopped", *FEW, stop, status=1)
+    # Stage by stage, from the checkpoint, what is broken stays so and more breaks.
+    twice = [*FEW, "Drive end/Translation=0.075*t; 0; 0"]
+    check_run("two stages", "twice", *twice, "Stages=load, load")
+    check_run("the first of them", "parts", *twice, "Stages=load")
+    halfway = len(breaks("parts"))
+    check_run("the second", "parts", *twice, "Stages=load, load", restart=os.path.join("parts", "checkpoint"))
+    check_equal(f"from {halfway} breaks on", "twice", "parts")
+    check("breaks in both stages", 0 < halfway < len(breaks("twice")))
+
+    # Too few iterations for the balance of a whole bundle that breaks.
+    few_iterations = [*FEW, "Solver/Largest Newton iterations=6", "Load/Largest step=1"]
+    check_run("rolled back", "large", *few_iterations, "Load/First step=1", status=2)
+    first = curve("large")[0]["load"]
+    check_run("not rolled back", "small", *few_iterations, f"Load/First step={first}", status=2)
+    with open(os.path.join("large", "log.txt")) as log:
+        check("breaks were rolled back", "breaks at load 1.0000: 7, 7 in all" in log.read().split("load       1")[0])
+    check_equal("rolled back", "small", "large")
+
+    # Where fibers touch, too, and after all have broken none carries anything.
+    strand = [*FEW[2:], "Fibers/Breaking strain=0.003", "Fibers/Strand/Outer fibers=3", "Fibers/Elements per fiber=8",
+              "Drive start/Ends=all start", "Drive end/Ends=all end", "Load/Largest step=0.5"]
+    check_run("strand", "strand", *strand, scene=os.path.join(SOURCE, "prm", "strand.prm"))
+    forces = [row["force_end[N]"] for row in curve("strand")]
+    check(f"forces of the strand: {forces}", summary("strand")["broken"] >= 4 and abs(forces[-1]) < 1e-3 * max(forces))
     finish()
 
 

@@ -12,9 +12,9 @@ namespace fiberloom
 {
   namespace
   {
-    // Of two elements that are as overloaded up to this the first one breaks,
-    // not the one that rounding chooses.
-    constexpr double as_overloaded = 1e-6;
+    // Of two elements that are as overloaded, up to what balance leaves open,
+    // the first one breaks, not the one that rounding chooses.
+    constexpr double as_overloaded = 1e-4;
 
     /** Between 0 and 1, the ends excluded. */
     double
