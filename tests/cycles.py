@@ -82,6 +82,13 @@ def main():
     error = last_stage("smooth")["estimated_error"]["total"]
     check(f"  error estimated where it is farthest: {error}", 0 < (error or 0) < .2)
 
+    done = run(SMALL_WEAVE, "free", *PULLED, "Biaxial/Way=1", "Biaxial/Other direction=free", "Solver/Error estimate=false",
+               restart=CHECKPOINT)
+    last = curve("free")[-1]
+    check(f"free across the pull, status {done.returncode}: {last['force_warp[N]']} of {last['force_fill[N]']} N, "
+          f"strain {last['strain_warp']}", abs(last["force_warp[N]"]) < 1e-4 * last["force_fill[N]"] and
+          -.01 < last["strain_warp"] < -.001)
+
     check_refused("1, 1", "apart")
     check_refused("0", "apart")
     check_refused("1, 2", "allowed")
