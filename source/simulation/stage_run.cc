@@ -455,7 +455,8 @@ namespace fiberloom
   void
   StageRun::show_start(State &state, const IncrementObserver &observer)
   {
-    State                      seen = state;
+    State seen = state;
+    stage.unload(seen);
     const Equilibrium::Problem problem{
       state,
       {stage.targets(state.stage_start_placements, 0), stage.node_forces(0)},
@@ -468,9 +469,9 @@ namespace fiberloom
           {0,
            0,
            state.dissipation,
-           system.stored_energy(state, equilibrium.contacts())}};
+           system.stored_energy(seen, equilibrium.contacts())}};
       }
-    report(state, observer);
+    report(seen, observer);
   }
 
 

@@ -88,22 +88,37 @@ namespace fiberloom
   {
     Cell::place(state);
     // So deep that plies and both plates are held by what they touch.
-    const double depth = .5 * scene.parameters.contact.largest_penetration *
-                         scene.mesh.smallest_radius();
     close_stack(scene,
                 Cell::periods(scene, state.placements[Cell::body]),
-                depth,
+                first_depth(),
                 state.q);
     const Extent extent = skin_extent(scene.mesh, state.q);
     const double low = extent.low[2], high = extent.high[2];
     Placement    placement;
-    placement.position = {high - low - 2 * depth, 0, .5 * (low + high)};
+    placement.position = {high - low - 2 * first_depth(), 0, .5 * (low + high)};
     state.placements.push_back(placement);
     state.contact.plates.clear();
     if (last_distance(state.placements) >= placement.position[0])
       throw StageFailure("stage compact: the fabric is " +
                          exact_text(high - low) +
                          " mm thick, which is thinner than it is to become");
+  }
+
+
+
+  void
+  Compact::unload(State &state) const
+  {
+    state.placements[plates].position[0] += 2 * first_depth();
+  }
+
+
+
+  double
+  Compact::first_depth() const
+  {
+    return .5 * scene.parameters.contact.largest_penetration *
+           scene.mesh.smallest_radius();
   }
 
 

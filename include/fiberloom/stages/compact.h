@@ -25,6 +25,10 @@ namespace fiberloom
     void
     begin(State &state) const override;
 
+    /** To where the plates just touch the fabric. */
+    void
+    unload(State &state) const override;
+
     Past
     guess(const State &state, const double load_step) const override;
 
@@ -52,6 +56,10 @@ namespace fiberloom
           const std::vector<BodyVector> &reactions) const override;
 
   private:
+    /** By which a plate presses into the fabric where the stage begins [mm]. */
+    double
+    first_depth() const;
+
     /** Of the cell [mm^2]. */
     double
     area(const std::vector<Placement> &placements) const;

@@ -79,6 +79,12 @@ namespace fiberloom
     virtual void
     begin(State &state) const = 0;
 
+    /** Takes bodies that begin() has let press on the sample, so that they are
+     * held by it, to where they do not: for the row at zero load. */
+    virtual void
+    unload(State & /*state*/) const
+    {}
+
     /**
      * A past from which an even deformation of the whole sample would lead
      * @p state on over the next @p load_step : a first guess. Empty where the
