@@ -94,8 +94,11 @@ namespace fiberloom
                 state.q);
     const Extent extent = skin_extent(scene.mesh, state.q);
     const double low = extent.low[2], high = extent.high[2];
-    Placement    placement;
-    placement.position = {high - low - 2 * first_depth(), 0, .5 * (low + high)};
+    // The spring that holds the middle has its rest at 0.
+    for (unsigned int n = 0; n < scene.mesh.n_nodes(); ++n)
+      state.q[9 * n + 2] -= .5 * (low + high);
+    Placement placement;
+    placement.position = {high - low - 2 * first_depth(), 0, 0};
     state.placements.push_back(placement);
     state.contact.plates.clear();
     if (last_distance(state.placements) >= placement.position[0])

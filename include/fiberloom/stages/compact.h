@@ -21,7 +21,8 @@ namespace fiberloom
     Supports
     supports(const DofVector &start) const override;
 
-    /** Throws StageFailure where the fabric is thinner already. */
+    /** Moves the fabric to the plates' middle, at the height 0. Throws
+     * StageFailure where it is thinner already. */
     void
     begin(State &state) const override;
 
