@@ -5,6 +5,7 @@
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 
@@ -25,9 +26,15 @@ def weave(directory, *settings):
     return os.path.join(directory, "checkpoint")
 
 
+def begin(directory, woven, *settings, ranks=1):
+    """From the woven state, in an empty directory."""
+    shutil.rmtree(directory, ignore_errors=True)
+    return run(CELL, directory, *settings, ranks=ranks, restart=woven)
+
+
 def check_return(woven):
     for ranks in (1, 2):
-        done = run(CELL, f"back_{ranks}", *BACK, ranks=ranks, restart=woven)
+        done = begin(f"back_{ranks}", woven, *BACK, ranks=ranks)
         check(f"there and back on {ranks} ranks: status {done.returncode}", done.returncode == 0)
     check_same("  curve", "back_1", "back_2", 1e-4)
     rows = curve("back_1")
@@ -36,12 +43,13 @@ def check_return(woven):
           all(abs(up["thickness[mm]"] - down["thickness[mm]"]) < 1e-9 for up, down in zip(back, there[-2::-1])))
     check("  no work is gained on the way back",
           all(up["pressure[MPa]"] < 1.001 * down["pressure[MPa]"] for up, down in zip(back, there[-2::-1])))
-    slippery = run(CELL, "slippery", *BACK, "Compact/Friction coefficient=0", restart=woven)
+    slippery = begin("slippery", woven, *BACK, "Compact/Friction coefficient=0")
     check(f"plates without friction: status {slippery.returncode}", slippery.returncode == 0)
     check("  press less", curve("slippery")[3]["pressure[MPa]"] < there[-1]["pressure[MPa]"])
 
 
 def check_restart(woven):
+    shutil.rmtree("stopped", ignore_errors=True)
     stopped = interrupt(command(CELL, "stopped", *BACK, restart=woven), "stopped", "stop", 5)
     check(f"stopped on the way back: status {stopped} after {n_rows('stopped')} rows",
           stopped == 3 and 5 <= n_rows("stopped") < n_rows("back_1"))
@@ -51,7 +59,7 @@ def check_restart(woven):
 
 
 def press(directory, woven, *settings):
-    done = run(CELL, directory, "Stages=compact", *PRESSED, *settings, restart=woven)
+    done = begin(directory, woven, "Stages=compact", *PRESSED, *settings)
     check(f"{directory}: status {done.returncode} {done.stderr}", done.returncode == 0)
     last = curve(directory)[-1]
     check(f"  pressure {last['pressure[MPa]']:.6f} MPa is met", abs(last["pressure[MPa]"] - 2) < 2e-3)
