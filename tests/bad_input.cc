@@ -286,6 +286,12 @@ check_files()
      {fibers + "set Curves = 0.02*cos(3*s); 0.02*sin(3*s); 0\n"
                 "set Radius = 0.02\nset Stress free = straight\nend\n",
       {"line 7: Fibers/Curves", "bends with a radius of", "0.02"}},
+     {fibers + "set Arrangement = bundle\nset Strength = 1000\n"
+                "set Breaking strain = 0.02\nend\n",
+      {"line 8: Fibers/Strength", "Breaking strain is given, too"}},
+     {fibers + "set Arrangement = bundle\nset Strength = 1000\n"
+                "set Weibull modulus = 5\nend\n",
+      {"line 9: Fibers/Weibull modulus", "Reference length"}},
      {fibers + "set Arrangement = braid\nend\n",
       {"line 7: Fibers/Arrangement = braid", "bundle"}},
      {fibers + "set Arrangement = bundle\nsubsection Bundle\n"

@@ -45,9 +45,9 @@ namespace fiberloom
       const double stretch, energy, force, stiffness;
     };
 
-    // Of the stiffness of a broken element: enough for a factor in single
-    // precision, and with the gap as long as ten elements a force of 1e-4 of
-    // what breaks a fiber at 2 %.
+    // Of a broken element's stiffness along the axis: enough for a factor in
+    // single precision, and with the gap as long as ten elements a force of
+    // some 1e-4 of what breaks a fiber at 2 %.
     constexpr double rest = 1e-6;
 
     // Which nodal vector (x0, r g1, r g2) each of q1..q5 interpolates.
@@ -275,11 +275,8 @@ namespace fiberloom
     element.linear_stiffness *= rest;
     for (GaussPoint &point : element.points)
       {
-        point.stiffness *= rest;
-        for (unsigned int k = 0; k < 3; ++k)
-          for (unsigned int l = 0; l < 3; ++l)
-            point.stiffness(section_rows[k], section_rows[l]) +=
-              hourglass_stiffness(k, l) / point.weight;
+        const SectionStiffness::Vector row = point.stiffness.col(axial);
+        point.stiffness -= (1 - rest) / row[axial] * row * row.transpose();
       }
     return element;
   }

@@ -88,11 +88,12 @@ namespace fiberloom
     largest_strain(const Vector &q) const;
 
     /**
-     * This element broken through: it carries no force from one end to the
-     * other, while its sections keep their own stiffness in plane stress, so
-     * that what touches it does not crush them. A millionth of the stiffness
-     * is left, since pieces of a fiber that nothing else holds would otherwise
-     * make the equations singular.
+     * This element broken through: the strain of its centre line is whatever
+     * makes the stress along it vanish, so that its ends slide apart as in a
+     * sleeve. Across the fiber they still hold each other, or what touches the
+     * element would push it away. A millionth of the stiffness is left, since
+     * a piece of a fiber that nothing else holds along its axis would make the
+     * equations singular.
      */
     BeamElement
     broken() const;
