@@ -122,7 +122,7 @@ namespace fiberloom
                  trusted && !moves ? Curvature::exact : Curvature::positive);
         measure(problem);
         watch({residual, damping, last_factor});
-        if (!moves && n > 0 && residual < poor_model && stiffen())
+        if (!moves && n > 0 && depths_are_known(problem) && stiffen())
           continue;
         if (!moves && residual < increment.tolerance() &&
             is_at_rest(state, problem))
@@ -143,6 +143,17 @@ namespace fiberloom
         else if (!limits_are_new)
           descend(state, problem, step);
       }
+  }
+
+
+
+  bool
+  Newton::depths_are_known(const Problem &problem) const
+  {
+    // From rest to rest no zone is to remember how the iterations went.
+    return residual < (problem.is_first ?
+                         poor_model :
+                         largest_change * increment.tolerance());
   }
 
 

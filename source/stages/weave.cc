@@ -150,9 +150,8 @@ namespace fiberloom
                 Equilibrium &equilibrium) const
   {
     // Friction starts where the fibers are now: nothing is locked in.
-    const Equilibrium::Problem problem{before,
-                                       targets(before.placements, 1),
-                                       {}};
+    Equilibrium::Problem problem{before, targets(before.placements, 1), {}};
+    problem.is_first = true;
     if (!equilibrium.solve_from(state, problem))
       return false;
     const State          reference = state;

@@ -22,9 +22,10 @@ namespace fiberloom
     const State &before; // the last accepted state
     Targets      targets;
     ContactRule  rule;
-    double       least_scale = 0;  // of the residual [N]
-    double       load_step   = 0;  // none: not to be cut
-    Past         even        = {}; // another one to come from, see Stage
+    double       least_scale = 0;     // of the residual [N]
+    double       load_step   = 0;     // none: not to be cut
+    Past         even        = {};    // another one to come from, see Stage
+    bool         is_first    = false; // no state was at rest before
   };
 
   /**

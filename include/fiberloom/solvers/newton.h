@@ -104,6 +104,10 @@ namespace fiberloom
       Step   next;         // by the same matrix
     };
 
+    /** Well enough to stiffen zones that are too deep. */
+    bool
+    depths_are_known(const Problem &problem) const;
+
     /** As nothing was known of this state. */
     void
     begin();
