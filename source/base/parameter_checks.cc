@@ -530,8 +530,6 @@ namespace fiberloom
                       .lexically_normal();
     resolve_matrix();
     biaxial.first_step = std::min(biaxial.first_step, biaxial.largest_step);
-    if (compact.friction_coefficient < 0)
-      compact.friction_coefficient = contact.friction_coefficient;
     compact.first_step = std::min(compact.first_step, compact.largest_step);
     load.first_step    = std::min(load.first_step, load.largest_step);
   }

@@ -274,10 +274,11 @@ namespace fiberloom
                     "Force on a plate over the area of the cell at the end "
                     "[MPa].",
                     Allowed::at_least(0));
-      catalogue.add("Return",
-                    compact.return_way,
-                    "Whether the plates go back to where they began, after Way.",
-                    Allowed::true_or_false());
+      catalogue.add(
+        "Return",
+        compact.return_way,
+        "Whether the plates go back to where they began, after Way.",
+        Allowed::true_or_false());
       catalogue.add("Friction coefficient",
                     compact.friction_coefficient,
                     "Coulomb's coefficient between fibers and plates; 0: no "

@@ -76,7 +76,7 @@ namespace fiberloom
                              std::max(least_stations,
                                       static_cast<unsigned int>(std::lround(
                                         2 * contact.stations_per_element))),
-                             parameters.friction_coefficient,
+                             plate_friction(),
                              contact.elastic_slip};
     return supports;
   }
@@ -113,6 +113,16 @@ namespace fiberloom
   Compact::unload(State &state) const
   {
     state.placements[plates].position[0] += 2 * first_depth();
+  }
+
+
+
+  double
+  Compact::plate_friction() const
+  {
+    return parameters.friction_coefficient < 0 ?
+             scene.parameters.contact.friction_coefficient :
+             parameters.friction_coefficient;
   }
 
 
@@ -188,7 +198,7 @@ namespace fiberloom
   Compact::rule(const double load) const
   {
     ContactRule rule = Stage::rule(load);
-    rule.friction    = rule.friction || parameters.friction_coefficient > 0;
+    rule.friction    = rule.friction || plate_friction() > 0;
     return rule;
   }
 

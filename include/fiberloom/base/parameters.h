@@ -173,8 +173,8 @@ namespace fiberloom
     double thickness       = 0; // between the plates [mm]; one of these three
     double volume_fraction = 0; // of fibers between the plates
     double pressure        = 0; // on the plates [MPa]
-    bool   return_way           = false; // and back to where it began
-    double friction_coefficient = -1;    // of the plates; -1: the fibers' own
+    bool   return_way      = false;   // and back to where it began
+    double friction_coefficient = -1; // of the plates; -1: the fibers' own
     double first_step           = .02;
     double largest_step         = .05;
 

@@ -61,6 +61,10 @@ namespace fiberloom
     double
     first_depth() const;
 
+    /** Between fibers and plates. */
+    double
+    plate_friction() const;
+
     /** Of the cell [mm^2]. */
     double
     area(const std::vector<Placement> &placements) const;
