@@ -20,7 +20,7 @@ namespace
 {
   struct Ended
   {
-    double          force = 0; // the last column of the loading curve
+    double          force = 0; // across the warp tows
     StageStatistics spent;     // in the last stage
   };
 
@@ -34,7 +34,9 @@ namespace
     run_stages(parameters,
                build_fiber_set(parameters),
                [&](const IncrementReport &report) {
-                 ended.force = report.curve.back().second;
+                 for (const auto &[name, value] : report.curve)
+                   if (name == "force_fill[N]")
+                     ended.force = value;
                  ended.spent = report.statistics;
                });
     return ended;
