@@ -11,9 +11,10 @@ import sys
 from program_runs import SCENES, SMALL_WEAVE, check, check_same, command, curve, finish, interrupt, n_rows, run
 
 
-def check_same_files(straight, directory):
+def check_same_files(straight, directory, ranks=1):
+    """On 2 ranks the factor's sums come in any order: straight runs differ from each other by up to 2e-9, too."""
     for file in ("loading_curve.csv", "reactions.csv"):
-        check_same(f"  {file}", straight, directory, 1e-10, file)
+        check_same(f"  {file}", straight, directory, 1e-10 if ranks == 1 else 1e-8, file)
 
 
 def check_restart(name, how, after_rows, *settings, straight=None, ranks=1, status=3, scene=SMALL_WEAVE):
@@ -24,7 +25,7 @@ def check_restart(name, how, after_rows, *settings, straight=None, ranks=1, stat
     check(f"  interrupted within the run, after {rows} rows", after_rows <= rows < n_rows(straight))
     again = run(scene, directory, *settings, ranks=ranks, restart=os.path.join(directory, "checkpoint"))
     check(f"  restarted: status {again.returncode} {again.stderr}", again.returncode == 0)
-    check_same_files(straight, directory)
+    check_same_files(straight, directory, ranks)
 
 
 def check_memory():
