@@ -19,14 +19,11 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
-#include <boost/serialization/version.hpp>
 
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <sstream>
-
-BOOST_CLASS_VERSION(fiberloom::StageStatistics, 8)
 
 namespace boost
 {
@@ -53,9 +50,7 @@ namespace boost
 
     template <class Archive>
     void
-    serialize(Archive                    &ar,
-              fiberloom::StageStatistics &s,
-              const unsigned int          version)
+    serialize(Archive &ar, fiberloom::StageStatistics &s, const unsigned int)
     {
       ar &s.name &s.converged &s.increments &s.rejected_increments;
       ar &s.contact_updates &s.normal_updates &s.newton_iterations;
@@ -65,27 +60,13 @@ namespace boost
       ar &s.seconds.detection &s.seconds.assembly &s.seconds.linear_solver;
       ar &s.seconds.analysis &s.seconds.factorization &s.seconds.krylov;
       ar &s.seconds.output &s.seconds.wall &s.seconds.yardstick;
-      if (version >= 1) // checkpoints from before these stay readable
-        {
-          ar &s.unsymmetric_systems &s.searches &s.friction_history;
-          ar &s.estimated_error.mesh &s.estimated_error.stations;
-          ar &s.estimated_error.penetration &s.estimated_error.total;
-          ar                                &s.seconds.estimate;
-        }
-      if (version >= 2)
-        ar &s.largest_section_change &s.estimated_error.matrix;
-      if (version >= 3)
-        ar &s.elastic_energy &s.negative_pivots;
-      if (version >= 4)
-        ar &s.estimated_error.tolerance;
-      if (version >= 5)
-        ar &s.membrane_stiffness;
-      if (version >= 6)
-        ar &s.coarse_iterations &s.seconds.coarse;
-      if (version >= 7)
-        ar &s.turning_points;
-      if (version >= 8)
-        ar &s.broken;
+      ar &s.unsymmetric_systems &s.searches &s.friction_history;
+      ar &s.estimated_error.mesh &s.estimated_error.stations;
+      ar &s.estimated_error.penetration &s.estimated_error.total;
+      ar &s.estimated_error.matrix &s.estimated_error.tolerance;
+      ar &s.seconds.estimate &s.seconds.coarse &s.coarse_iterations;
+      ar &s.largest_section_change &s.elastic_energy &s.negative_pivots;
+      ar &s.membrane_stiffness &s.turning_points &s.broken;
     }
 
     template <class Archive>

@@ -44,12 +44,10 @@ namespace fiberloom
     }
 
     /** Of the bodies between two accepted states by the trapezoidal rule
-     * [N mm]; NaN where the first comes from a file without reactions. */
+     * [N mm]. */
     double
     work(const State &before, const State &after)
     {
-      if (before.reactions.size() != after.reactions.size())
-        return std::numeric_limits<double>::quiet_NaN();
       double work = 0;
       for (unsigned int b = 0; b < after.reactions.size(); ++b)
         {
@@ -504,12 +502,22 @@ namespace fiberloom
         curve.push_back(column);
     if (stage.shows_neighbors())
       curve.emplace_back("neighbor_force[N]", force_of_neighbors());
-    if (stage.way())
-      for (const auto &column : energies(state))
-        curve.push_back(column);
     if (stage.shows_balance())
-      for (const auto &column : balance(state))
+      for (const auto &column : contact_forces())
         curve.push_back(column);
+    if (stage.way())
+      curve.emplace_back("work[N.mm]", state.work);
+    if (stage.way() || stage.shows_balance())
+      {
+        curve.emplace_back("elastic_energy[N.mm]",
+                           system.stored_energy(state, equilibrium.contacts()));
+        curve.emplace_back("dissipation[N.mm]", state.dissipation);
+      }
+    if (stage.shows_balance())
+      curve.emplace_back("negative_pivots",
+                         state.increment > 0 ?
+                           equilibrium.negative_pivots() :
+                           std::numeric_limits<double>::quiet_NaN());
     if (breakage)
       curve.emplace_back("broken", state.fibers.breaks.size());
     observer({name,
@@ -559,7 +567,7 @@ namespace fiberloom
 
 
   CurveRow
-  StageRun::balance(const State &state) const
+  StageRun::contact_forces() const
   {
     double sum = 0, largest = 0;
     for (const ContactElement &contact : equilibrium.contacts())
@@ -568,24 +576,7 @@ namespace fiberloom
         largest = std::max(largest, contact.normal_force);
       }
     return {{"contact_force_sum[N]", sum},
-            {"largest_contact_force[N]", largest},
-            {"elastic_energy[N.mm]",
-             system.stored_energy(state, equilibrium.contacts())},
-            {"dissipation[N.mm]", state.dissipation},
-            {"negative_pivots",
-             state.increment > 0 ? equilibrium.negative_pivots() :
-                                   std::numeric_limits<double>::quiet_NaN()}};
-  }
-
-
-
-  CurveRow
-  StageRun::energies(const State &state) const
-  {
-    return {{"work[N.mm]", state.work},
-            {"elastic_energy[N.mm]",
-             system.stored_energy(state, equilibrium.contacts())},
-            {"dissipation[N.mm]", state.dissipation}};
+            {"largest_contact_force[N]", largest}};
   }
 
 

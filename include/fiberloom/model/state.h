@@ -15,7 +15,6 @@
 #include <fiberloom/model/composite.h>
 
 #include <boost/serialization/vector.hpp>
-#include <boost/serialization/version.hpp>
 
 #include <string>
 #include <vector>
@@ -85,7 +84,7 @@ namespace fiberloom
 
     template <class Archive>
     void
-    serialize(Archive &ar, const unsigned int version)
+    serialize(Archive &ar, const unsigned int)
     {
       for (DofVector *dofs : {&q, &stage_start_q, &previous.q})
         {
@@ -100,20 +99,15 @@ namespace fiberloom
       ar &previous.placements          &previous.load;
       ar &stage &increment &load &step &dissipation;
       ar &stages_done &scene_stages    &fibers;
-      if (version >= 1) // checkpoints from before these stay readable
-        {
-          auto n = reactions.size();
-          ar  &n;
-          reactions.resize(n);
-          for (BodyVector &reaction : reactions)
-            for (double &value : reaction)
-              ar &value;
-          ar &work;
-        }
+      auto                              n = reactions.size();
+      ar                               &n;
+      reactions.resize(n);
+      for (BodyVector &reaction : reactions)
+        for (double &value : reaction)
+          ar &value;
+      ar &work;
     }
   };
 } // namespace fiberloom
-
-BOOST_CLASS_VERSION(fiberloom::State, 1)
 
 #endif

@@ -128,10 +128,7 @@ namespace fiberloom
     force_of_neighbors() const;
 
     CurveRow
-    balance(const State &state) const;
-
-    CurveRow
-    energies(const State &state) const;
+    contact_forces() const;
 
     std::string
     increment_line(const State &state) const;
