@@ -22,10 +22,6 @@ namespace fiberloom
     // a third of what the search sees beyond the surfaces.
     constexpr double stale_after = .1;
 
-    // Limits of friction are set anew when the residual has fallen to this
-    // part: each balance is worth as much as the next limits are off.
-    constexpr double lag_reduction = .5;
-
     // Predictions in one iteration of contacts whose stiffness changes: those
     // that close are the first time as stiff as at a depth, over the radius, of
     // the largest penetration at standard accuracy, if they get deep enough.
@@ -48,7 +44,8 @@ namespace fiberloom
     constexpr double least_damping = 1e-5;
 
     // Of the linear systems: what they leave is well below what is asked for.
-    constexpr double linear_tolerance = 1e-6;
+    // With limits that follow, a step is hardly ever better than this.
+    constexpr double linear_tolerance = 1e-6, coupled_tolerance = 1e-2;
 
     /** Of a law that is as deep as @p depth and is to have a @p force , from
      * there to that; @p guess is beyond both [N/mm]. */
@@ -193,7 +190,7 @@ namespace fiberloom
         increment.regenerate(state, problem);
         generated_at = state.q;
       }
-    if (problem.rule.friction && residual < lag_reduction * lagged)
+    if (problem.rule.friction && has_improved(state, problem))
       {
         increment.update_normals(state, problem);
         lagged         = 0;
@@ -208,6 +205,18 @@ namespace fiberloom
       if (contact.following != ContactElement::Points::fixed)
         follow_points(contact, mesh.with_images(), q);
     system.reinit(increment.contacts);
+  }
+
+
+
+  bool
+  Newton::has_improved(const State &state, const Problem &problem)
+  {
+    if (limits_are_new || !std::isfinite(lagged) || lagged == 0)
+      return false;
+    const double reached = increment.measure(state, problem);
+    lagged               = std::max(lagged, reached);
+    return reached < good_model * lagged;
   }
 
 
@@ -441,7 +450,8 @@ namespace fiberloom
         for (; factor >= poor_model; factor *= longest_cut)
           {
             CoupledStep there;
-            there.state = state;
+            there.state    = state;
+            there.residual = residual;
             if (!reach_coupled(there, problem, step, factor))
               continue;
             correct_coupled(there, problem);
@@ -470,13 +480,15 @@ namespace fiberloom
                         const Step    &step,
                         const double   factor)
   {
+    const double shorter = 1 - poor_model * factor, before = there.residual;
     system.motion().advance(there.state, step.increment, factor);
     there.residual             = increment.measure_anew(there.state, problem);
     std::vector<double> defect = system.free_residual();
     for (double &value : defect)
       value = -value;
     return solve_coupled(defect, there.next) &&
-           (there.next.move < (1 - poor_model * factor) * step.move ||
+           (there.next.move < shorter * step.move ||
+            there.residual < shorter * before ||
             there.residual < increment.tolerance());
   }
 
@@ -490,7 +502,8 @@ namespace fiberloom
       {
         const auto  kept = increment.all_contacts();
         CoupledStep next;
-        next.state = there.state;
+        next.state    = there.state;
+        next.residual = there.residual;
         if (!reach_coupled(next, problem, there.next, 1))
           {
             increment.take_back(kept);
@@ -511,7 +524,7 @@ namespace fiberloom
       ScopedTimer timer(statistics.seconds.linear_solver);
       found = linear_solver.solve_coupled(system.matrix(),
                                           right_hand_side,
-                                          linear_tolerance,
+                                          coupled_tolerance,
                                           step.solution,
                                           outcome);
     }
@@ -670,14 +683,23 @@ namespace fiberloom
         correction.move = system.motion().largest_move(correction.increment);
         if (!(correction.move < (largest_move > 0 ? largest_move : 1e300)))
           break;
-        total += correction.increment;
-        ScopedTimer  timer(statistics.seconds.assembly);
-        State        next    = moved(state, total, 1);
-        const double reached = energy(state, next, problem);
-        if (!(reached < lowest))
+        ScopedTimer timer(statistics.seconds.assembly);
+        bool        goes_down = false;
+        for (double part = 1; part >= poor_model && !goes_down;
+             part *= longest_cut)
+          {
+            const Eigen::VectorXd way     = total + part * correction.increment;
+            State                 next    = moved(state, way, 1);
+            const double          reached = energy(state, next, problem);
+            goes_down                     = reached < lowest;
+            if (!goes_down)
+              continue;
+            lowest = reached;
+            there  = std::move(next);
+            total  = way;
+          }
+        if (!goes_down)
           break;
-        lowest = reached;
-        there  = std::move(next);
       }
     return lowest;
   }

@@ -119,6 +119,11 @@ namespace fiberloom
     void
     refresh(State &state, const Problem &problem);
 
+    /** Whether the residual has fallen enough, since limits of friction were
+     * set, for new ones. */
+    bool
+    has_improved(const State &state, const Problem &problem);
+
     /** Whether the fully regenerated problem is in balance; assembled anew
      * where it is not. */
     bool
