@@ -9,6 +9,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <Sacado.hpp>
@@ -305,6 +306,28 @@ namespace
                  relative_error(tangent, exact_tangent),
                  1e-10);
   }
+
+  /** The least eigenvalue of a straight element's tangent that is drawn by @p
+   * strain along its axis, its sections free [N/mm]. */
+  double
+  least_stiffness(const BeamElement         &element,
+                  const BeamElement::Vector &reference,
+                  const double               strain,
+                  const double               poisson_ratio,
+                  const Curvature            curvature)
+  {
+    BeamElement::Vector q = reference, residual;
+    for (unsigned int a = 0; a < 3; ++a)
+      {
+        q.segment<3>(9 * a) *= 1 + strain;
+        q.segment<6>(9 * a + 3) *= 1 - poisson_ratio * strain;
+      }
+    BeamElement::Matrix tangent;
+    element.residual_and_tangent(q, residual, tangent, curvature);
+    return Eigen::SelfAdjointEigenSolver<BeamElement::Matrix>(tangent)
+      .eigenvalues()
+      .minCoeff();
+  }
 } // namespace
 
 int
@@ -344,4 +367,27 @@ main()
         check_by_sacado(
           checks, name, element, mesh.reference(), q, poisson_ratio);
       }
+
+  // Only compression makes a straight element's energy concave.
+  const double    poisson_ratio = .3, strain = .01;
+  const FiberMesh straight(
+    loose_fibers({curved_fiber(line, 1, Vector3(.2, .4, 1), poisson_ratio)}));
+  const auto least = [&](const double sign, const Curvature curvature) {
+    return least_stiffness(straight.element(0),
+                           straight.reference(),
+                           sign * strain,
+                           poisson_ratio,
+                           curvature);
+  };
+  const double compressed = least(-1, Curvature::exact);
+  checks.below("compressed: least stiffness beyond -1e-3",
+               std::max(0., compressed + 1e-3),
+               1e-12);
+  checks.below("compressed, without what makes it negative",
+               least(-1, Curvature::convex) / compressed,
+               .05);
+  checks.below("stretched: without less with",
+               (least(1, Curvature::convex) - least(1, Curvature::exact)) /
+                 compressed,
+               1e-12);
 }

@@ -286,7 +286,7 @@ namespace fiberloom
   void
   BeamElement::residual(const Vector &q, Vector &residual) const
   {
-    evaluate<false>(q, residual, nullptr);
+    evaluate<Curvature::none>(q, residual, nullptr);
   }
 
 
@@ -294,20 +294,25 @@ namespace fiberloom
   void
   BeamElement::residual_and_tangent(const Vector &q,
                                     Vector       &residual,
-                                    Matrix       &tangent) const
+                                    Matrix       &tangent,
+                                    Curvature     curvature) const
   {
-    evaluate<true>(q, residual, &tangent);
+    if (curvature == Curvature::convex)
+      evaluate<Curvature::convex>(q, residual, &tangent);
+    else
+      evaluate<Curvature::exact>(q, residual, &tangent);
   }
 
 
 
-  template <bool with_tangent>
+  template <Curvature curvature>
   void
   BeamElement::evaluate(const Vector &q,
                         Vector       &residual,
                         Matrix       *tangent) const
   {
-    using StrainGradient = Eigen::Matrix<double, 15, 27>;
+    constexpr bool with_tangent = curvature != Curvature::none;
+    using StrainGradient        = Eigen::Matrix<double, 15, 27>;
 
     const Matrix3 section_strain = node_section_gram(q, radius) - node_gram;
 
@@ -351,11 +356,15 @@ namespace fiberloom
                   residual.segment<3>(9 * a + 3 * slot[j]) +=
                     S[k] * interpolation.coefficients[j][a] * vectors[i];
               }
+            const double stiffening =
+              curvature == Curvature::convex && k == axial ?
+                std::max(0., S[k]) :
+                S[k];
             if constexpr (with_tangent)
               for (unsigned int a = 0; a < 3; ++a)
                 for (unsigned int b = 0; b < 3; ++b)
                   {
-                    const double value = S[k] *
+                    const double value = stiffening *
                                          interpolation.coefficients[i][a] *
                                          interpolation.coefficients[j][b];
                     geometric(3 * a + slot[i], 3 * b + slot[j]) += value;

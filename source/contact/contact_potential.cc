@@ -242,7 +242,7 @@ namespace fiberloom
       }
     if (asked == Curvature::none)
       return true;
-    if (asked == Curvature::positive)
+    if (asked != Curvature::exact)
       {
         set_positive(c, contact, law.value, potential);
         return true;

@@ -302,7 +302,10 @@ namespace fiberloom
         const auto q = mesh.element_dofs(state.q, e);
         mesh.visit_element(e, state.fibers, [&](const BeamElement &element) {
           if constexpr (with_tangent)
-            element.residual_and_tangent(q, group.residual, group.tangent);
+            element.residual_and_tangent(q,
+                                         group.residual,
+                                         group.tangent,
+                                         curvature);
           else
             element.residual(q, group.residual);
         });

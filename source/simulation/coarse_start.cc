@@ -20,7 +20,7 @@ namespace fiberloom
     // Contact, too, is coarser: it needs fewer stations, and what touches
     // changes less abruptly. Deeper than this, over the radius, fibers would
     // no longer stay on their sides.
-    constexpr double softer = 4, looser = 10, deepest = .5;
+    constexpr double softer = 4, looser = 100, deepest = .5;
 
     /** Half as many elements, and softer contact; whether that still shows each
      * crossing. */

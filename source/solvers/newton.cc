@@ -47,6 +47,13 @@ namespace fiberloom
     // With limits that follow, a step is hardly ever better than this.
     constexpr double linear_tolerance = 1e-6, coupled_tolerance = 1e-2;
 
+    /** Without friction fibers are loose enough to buckle. */
+    Curvature
+    definite(const Problem &problem)
+    {
+      return problem.rule.friction ? Curvature::positive : Curvature::convex;
+    }
+
     /** Of a law that is as deep as @p depth and is to have a @p force , from
      * there to that; @p guess is beyond both [N/mm]. */
     double
@@ -116,12 +123,12 @@ namespace fiberloom
         const bool moves = system.motion().moves(state, problem.targets);
         assemble(state,
                  problem,
-                 trusted && !moves ? Curvature::exact : Curvature::positive);
+                 trusted && !moves ? Curvature::exact : definite(problem));
         measure(problem);
         watch({residual, damping, last_factor});
         if (!moves && n > 0 && depths_are_known(problem) && stiffen())
           continue;
-        if (!moves && residual < increment.tolerance() &&
+        if (!moves && residual < tolerance(problem) &&
             is_at_rest(state, problem))
           {
             if (!stiffen())
@@ -140,6 +147,18 @@ namespace fiberloom
         else if (!limits_are_new)
           descend(state, problem, step);
       }
+  }
+
+
+
+  double
+  Newton::tolerance(const Problem &problem) const
+  {
+    // All that follows starts from there, and is worth another iteration.
+    return problem.is_first ?
+             std::max(increment.tolerance() / largest_change,
+                      system.rounding_force() / increment.scale(problem)) :
+             increment.tolerance();
   }
 
 
@@ -230,7 +249,7 @@ namespace fiberloom
     lagged = 0;
     measure(problem);
     limits_are_new = true;
-    return residual < increment.tolerance();
+    return residual < tolerance(problem);
   }
 
 
@@ -326,9 +345,18 @@ namespace fiberloom
     using Indefinite = LinearSolver::Indefinite;
     other            = Step();
     if (is_exact && !solve_linear(state, damping, Indefinite::refused, step))
-      assemble(state, problem, Curvature::positive);
+      assemble(state, problem, definite(problem));
     if (!is_exact)
       solve_linear(state, damping, Indefinite::shifted, step);
+    // Fibers that nothing holds must not hold back all the others.
+    while (!problem.rule.friction && std::isfinite(step.move) &&
+           longest(step) < poor_model &&
+           !system.motion().moves(state, problem.targets))
+      {
+        const double more = std::max(largest_change * damping, least_damping);
+        solve_linear(state, more - damping, Indefinite::shifted, step);
+        damping = more;
+      }
     std::vector<double> stiffness;
 
     for (unsigned int k = 0;

@@ -4,6 +4,7 @@
 #ifndef fiberloom_beams_beam_element_h
 #define fiberloom_beams_beam_element_h
 
+#include <fiberloom/base/curvature.h>
 #include <fiberloom/base/vector_types.h>
 
 #include <fiberloom/fabric/fiber_set.h>
@@ -58,7 +59,8 @@ namespace fiberloom
     void
     residual_and_tangent(const Vector &q,
                          Vector       &residual,
-                         Matrix       &tangent) const;
+                         Matrix       &tangent,
+                         Curvature     curvature = Curvature::exact) const;
 
     /** Force and moment that the part beyond exerts on the part before. */
     struct SectionForces
@@ -127,7 +129,7 @@ namespace fiberloom
     stress(const GaussPoint               &point,
            const SectionStiffness::Vector &strain) const;
 
-    template <bool with_tangent>
+    template <Curvature curvature>
     void
     evaluate(const Vector &q, Vector &residual, Matrix *tangent) const;
 

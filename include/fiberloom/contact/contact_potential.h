@@ -4,6 +4,8 @@
 #ifndef fiberloom_contact_contact_potential_h
 #define fiberloom_contact_contact_potential_h
 
+#include <fiberloom/base/curvature.h>
+
 #include <fiberloom/contact/contact_law.h>
 #include <fiberloom/contact/line_weights.h>
 
@@ -43,15 +45,6 @@ namespace fiberloom
     Blocks      both;        // of N_a N_b, by the fibers of a and b
     Blocks      row, column; // of N_a' N_b, and of N_a N_b'
     SectionPair force_slope; // derivative of the normal force by N_a x
-  };
-
-  /** What of the Hessian is asked for: nothing, without what makes it
-   * indefinite as the normal turns and the points slide, or all. */
-  enum class Curvature
-  {
-    none,
-    positive,
-    exact
   };
 
   /** Moves the points of @p contact to where they belong at @p q . */

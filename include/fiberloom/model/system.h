@@ -74,11 +74,12 @@ namespace fiberloom
     add_stiffness(const State                       &state,
                   const std::vector<ContactElement> &contacts);
 
-    /** Of contacts whose points follow the fibers, in what is assembled. */
+    /** Of fibers, and of contacts whose points follow them, in what is
+     * assembled. */
     void
-    set_curvature(const Curvature of_contacts)
+    set_curvature(const Curvature of_energy)
     {
-      curvature = of_contacts;
+      curvature = of_energy;
     }
 
     /** Whether products of the tangent know that limits of friction follow the

@@ -104,6 +104,10 @@ namespace fiberloom
       Step   next;         // by the same matrix
     };
 
+    /** Of the residual at the end. */
+    double
+    tolerance(const Problem &problem) const;
+
     /** Well enough to stiffen zones that are too deep. */
     bool
     depths_are_known(const Problem &problem) const;
