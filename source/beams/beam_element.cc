@@ -356,21 +356,23 @@ namespace fiberloom
                   residual.segment<3>(9 * a + 3 * slot[j]) +=
                     S[k] * interpolation.coefficients[j][a] * vectors[i];
               }
-            const double stiffening =
-              curvature == Curvature::convex && k == axial ?
-                std::max(0., S[k]) :
-                S[k];
             if constexpr (with_tangent)
-              for (unsigned int a = 0; a < 3; ++a)
-                for (unsigned int b = 0; b < 3; ++b)
-                  {
-                    const double value = stiffening *
-                                         interpolation.coefficients[i][a] *
-                                         interpolation.coefficients[j][b];
-                    geometric(3 * a + slot[i], 3 * b + slot[j]) += value;
-                    if (i != j)
-                      geometric(3 * b + slot[j], 3 * a + slot[i]) += value;
-                  }
+              {
+                const double stiffening =
+                  curvature == Curvature::convex && k == axial ?
+                    std::max(0., S[k]) :
+                    S[k];
+                for (unsigned int a = 0; a < 3; ++a)
+                  for (unsigned int b = 0; b < 3; ++b)
+                    {
+                      const double value = stiffening *
+                                           interpolation.coefficients[i][a] *
+                                           interpolation.coefficients[j][b];
+                      geometric(3 * a + slot[i], 3 * b + slot[j]) += value;
+                      if (i != j)
+                        geometric(3 * b + slot[j], 3 * a + slot[i]) += value;
+                    }
+              }
           }
 
         if constexpr (with_tangent)

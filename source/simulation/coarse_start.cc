@@ -20,6 +20,8 @@ namespace fiberloom
     // Contact, too, is coarser: it needs fewer stations, and what touches
     // changes less abruptly. Deeper than this, over the radius, fibers would
     // no longer stay on their sides.
+    // A weave ends at a tenth of the tolerance, this one at ten times that of
+    // the scene.
     constexpr double softer = 4, looser = 100, deepest = .5;
 
     /** Half as many elements, and softer contact; whether that still shows each

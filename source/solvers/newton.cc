@@ -4,9 +4,7 @@
 #include <fiberloom/base/rounding.h>
 #include <fiberloom/base/scoped_timer.h>
 
-#include <fiberloom/contact/contact_law.h>
-#include <fiberloom/contact/contact_potential.h>
-
+#include <fiberloom/solvers/contact_prediction.h>
 #include <fiberloom/solvers/newton.h>
 
 #include <deal.II/base/mpi.h>
@@ -22,11 +20,8 @@ namespace fiberloom
     // a third of what the search sees beyond the surfaces.
     constexpr double stale_after = .1;
 
-    // Predictions in one iteration of contacts whose stiffness changes: those
-    // that close are the first time as stiff as at a depth, over the radius, of
-    // the largest penetration at standard accuracy, if they get deep enough.
+    // Predictions in one iteration of contacts whose stiffness changes.
     constexpr unsigned int most_predictions = 2;
-    constexpr double       closed_depth = .02, least_depth = .005;
 
     // Corrections around one factor where the energy judges.
     constexpr unsigned int most_corrections = 3;
@@ -52,31 +47,6 @@ namespace fiberloom
     definite(const Problem &problem)
     {
       return problem.rule.friction ? Curvature::positive : Curvature::convex;
-    }
-
-    /** Of a law that is as deep as @p depth and is to have a @p force , from
-     * there to that; @p guess is beyond both [N/mm]. */
-    double
-    secant_stiffness(const ContactElement &contact,
-                     const double          depth,
-                     const double          guess,
-                     const double          force)
-    {
-      const LawValue here = contact_normal_law(contact, depth);
-      if (force <= 0)
-        return depth > 0 ? here.force / depth : 0;
-      double there = std::max(depth, guess), step;
-      // The law is convex: from the second step on this comes from above.
-      do
-        {
-          const LawValue law = contact_normal_law(contact, there);
-          step               = (force - law.force) / law.derivative;
-          there += step;
-        }
-      while (std::abs(step) > rounding * contact.radii[0]);
-      return std::abs(there - depth) > rounding * contact.radii[0] ?
-               (force - here.force) / (there - depth) :
-               here.derivative;
     }
   } // namespace
 
@@ -231,7 +201,7 @@ namespace fiberloom
   bool
   Newton::has_improved(const State &state, const Problem &problem)
   {
-    if (limits_are_new || !std::isfinite(lagged) || lagged == 0)
+    if (limits_are_new || lagged == 0)
       return false;
     const double reached = increment.measure(state, problem);
     lagged               = std::max(lagged, reached);
@@ -357,15 +327,16 @@ namespace fiberloom
         solve_linear(state, more - damping, Indefinite::shifted, step);
         damping = more;
       }
-    std::vector<double> stiffness;
 
+    ContactPrediction prediction(
+      mesh, system, increment, problem, ContactPrediction::Kind::closing);
+    const auto predicts = [&]() {
+      const State ahead = moved(state, step.increment, longest(step));
+      ScopedTimer timer(statistics.seconds.assembly);
+      return prediction.add_stiffness(state, ahead);
+    };
     for (unsigned int k = 0;
-         k < most_predictions && std::isfinite(step.move) &&
-         predict(state,
-                 moved(state, step.increment, longest(step)),
-                 problem,
-                 Predicted::closing,
-                 stiffness);
+         k < most_predictions && std::isfinite(step.move) && predicts();
          ++k)
       {
         // Contacts that are predicted pull as well as push: what they make of
@@ -384,61 +355,6 @@ namespace fiberloom
 
 
   bool
-  Newton::predict(const State         &state,
-                  const State         &ahead,
-                  const Problem       &problem,
-                  const Predicted      predicted,
-                  std::vector<double> &stiffness)
-  {
-    ScopedTimer     timer(statistics.seconds.assembly);
-    const DofVector q     = mesh.with_images(ahead.q);
-    const double    least = increment.tolerance() * increment.scale(problem);
-    stiffness.resize(increment.contacts.size(), -1);
-    bool any = false;
-    for (unsigned int i = 0; i < increment.contacts.size(); ++i)
-      {
-        ContactElement &contact = increment.contacts[i];
-        const bool      is_new  = stiffness[i] < 0;
-        contact.stiffness_added = 0;
-        if (contact.following == ContactElement::Points::fixed ||
-            contact.lost || (predicted == Predicted::closing && !is_new))
-          continue;
-        ContactElement there = contact;
-        normal_energy(there, mesh.with_images(), q);
-        if (there.lost || (is_new && contact.gap >= 0 && there.gap >= 0))
-          continue;
-        const double r     = std::min(contact.radii[0], contact.radii[1]);
-        const double depth = std::max(0., -contact.gap);
-        const auto   own   = contact_normal_law(contact, depth);
-        const double model = is_new ? own.derivative : stiffness[i];
-        const double force = own.force - model * (there.gap + depth);
-        const bool   differs =
-          std::abs(there.normal_force - std::max(0., force)) > least;
-        double wanted = model;
-        if (is_new &&
-            (predicted == Predicted::closing ?
-               there.gap < -least_depth * r &&
-                 depth < std::min(least_depth * r, contact.regularization) :
-               depth == 0 && differs))
-          wanted = contact_normal_law(contact, closed_depth * r).derivative;
-        else if (predicted == Predicted::all && differs)
-          wanted = secant_stiffness(contact, depth, -there.gap, force);
-        if (wanted == model)
-          continue;
-        contact.stiffness_added = wanted - model;
-        stiffness[i]            = wanted;
-        any                     = true;
-      }
-    if (any)
-      system.add_stiffness(state, increment.contacts);
-    for (ContactElement &contact : increment.contacts)
-      contact.stiffness_added = 0;
-    return any;
-  }
-
-
-
-  bool
   Newton::find_coupled_step(const State   &state,
                             const Problem &problem,
                             Step          &step)
@@ -446,19 +362,17 @@ namespace fiberloom
     system.couple_limits(true);
     assemble(state, problem, Curvature::exact);
     system.couple_limits(false);
-    std::vector<double> stiffness;
-    bool                found = solve_coupled(gradient, step);
-    for (unsigned int k = 0; k < most_predictions && found; ++k)
-      {
-        const double factor = std::min(1., stale_after / step.move);
-        if (!predict(state,
-                     moved(state, step.increment, factor),
-                     problem,
-                     Predicted::all,
-                     stiffness))
-          break;
-        found = solve_coupled(system.right_hand_side(), step);
-      }
+    ContactPrediction prediction(
+      mesh, system, increment, problem, ContactPrediction::Kind::all);
+    const auto predicts = [&]() {
+      const State ahead =
+        moved(state, step.increment, std::min(1., stale_after / step.move));
+      ScopedTimer timer(statistics.seconds.assembly);
+      return prediction.add_stiffness(state, ahead);
+    };
+    bool found = solve_coupled(gradient, step);
+    for (unsigned int k = 0; k < most_predictions && found && predicts(); ++k)
+      found = solve_coupled(system.right_hand_side(), step);
     return found;
   }
 
@@ -712,21 +626,20 @@ namespace fiberloom
         if (!(correction.move < (largest_move > 0 ? largest_move : 1e300)))
           break;
         ScopedTimer timer(statistics.seconds.assembly);
-        bool        goes_down = false;
-        for (double part = 1; part >= poor_model && !goes_down;
-             part *= longest_cut)
+        double      part = 1;
+        for (; part >= poor_model; part *= longest_cut)
           {
             const Eigen::VectorXd way     = total + part * correction.increment;
             State                 next    = moved(state, way, 1);
             const double          reached = energy(state, next, problem);
-            goes_down                     = reached < lowest;
-            if (!goes_down)
+            if (!(reached < lowest))
               continue;
             lowest = reached;
             there  = std::move(next);
             total  = way;
+            break;
           }
-        if (!goes_down)
+        if (part < poor_model)
           break;
       }
     return lowest;

@@ -22,9 +22,10 @@ namespace fiberloom
    * Soft fibers slide along a curved valley between stiff ones. A step along
    * it is followed by corrections with the factor at hand, which lead back to
    * its floor, and contacts that a step would close take part in it. Where the
-   * Hessian is indefinite, that of contacts loses what makes it so. Where they
-   * are new, friction's limits follow the normal forces within the linear
-   * system, as long as the steps that are left get shorter.
+   * Hessian is indefinite, that of contacts loses what makes it so, without
+   * friction that of fibers, too. Where they are new, friction's limits follow
+   * the normal forces within the linear system, as long as the residual or the
+   * steps that are left get smaller.
    */
   class Newton
   {
@@ -71,13 +72,6 @@ namespace fiberloom
     }
 
   private:
-    /** Contacts that take part in a step with another stiffness. */
-    enum class Predicted
-    {
-      closing, // those that close
-      all      // and those whose force changes otherwise than linearly
-    };
-
     /** A step in all dofs. */
     struct Step
     {
@@ -149,34 +143,25 @@ namespace fiberloom
                  const LinearSolver::Indefinite indefinite,
                  Step                          &step);
 
-    /** On the way to @p ahead : the @p predicted contacts take part in the
-     * system with the @p stiffness that leads to the force they are to have,
-     * below 0 for their own; whether there are any. */
-    bool
-    predict(const State         &state,
-            const State         &ahead,
-            const Problem       &problem,
-            const Predicted      predicted,
-            std::vector<double> &stiffness);
-
     /** Whose friction limits follow; whether there is one. */
     bool
     find_coupled_step(const State &state, const Problem &problem, Step &step);
 
-    /** A step whose friction limits follow, if the regenerated problem then
-     * asks for a shorter one. */
+    /** A step whose friction limits follow, if the regenerated problem is then
+     * nearer to balance. */
     bool
     take_coupled_step(State &state, const Problem &problem);
 
-    /** Moves @p there by @p factor times @p step ; whether its next step is
-     * shorter, or it needs none. */
+    /** Moves @p there , with the residual that it has, by @p factor times @p
+     * step ; whether its residual or its next step is then smaller, or it needs
+     * none. */
     bool
     reach_coupled(CoupledStep   &there,
                   const Problem &problem,
                   const Step    &step,
                   const double   factor);
 
-    /** Goes on by next steps as long as they get shorter. */
+    /** Goes on by next steps as long as that leads nearer to balance. */
     void
     correct_coupled(CoupledStep &there, const Problem &problem);
 

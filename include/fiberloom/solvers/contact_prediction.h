@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_solvers_contact_prediction_h
+#define fiberloom_solvers_contact_prediction_h
+
+#include <fiberloom/solvers/increment.h>
+
+#include <vector>
+
+namespace fiberloom
+{
+  /**
+   * Contacts that take part in one step with another stiffness than their own,
+   * since their force will change otherwise than linearly along it. Section 4.4
+   * of the theory has the secants.
+   */
+  class ContactPrediction
+  {
+  public:
+    enum class Kind
+    {
+      closing, // contacts that close
+      all      // and those whose force changes otherwise than linearly
+    };
+
+    /** References are kept. */
+    ContactPrediction(const FiberMesh &mesh,
+                      System          &system,
+                      Increment       &increment,
+                      const Problem   &problem,
+                      const Kind       kind);
+
+    /** On the way from @p state , where the system was assembled, to @p ahead :
+     * adds to it the stiffness that leads to the forces that contacts are to
+     * have; whether there are such contacts. To be called again with where
+     * that leads. */
+    bool
+    add_stiffness(const State &state, const State &ahead);
+
+  private:
+    const FiberMesh    &mesh;
+    System             &system;
+    Increment          &increment;
+    const Problem      &problem;
+    const Kind          kind;
+    std::vector<double> stiffness; // predicted; below 0: their own [N/mm]
+  };
+} // namespace fiberloom
+
+#endif
