@@ -4,8 +4,10 @@
 // The Krylov method around a factor in single precision, of the whole or of the
 // motions of rigid sections, finds what the one in double precision finds; an
 // indefinite matrix, that of a fiber compressed beyond buckling, is noticed and
-// gets a shift that makes the step a descent.
+// gets a shift that makes the step a descent; multipliers keep each fiber
+// within its bound.
 
+#include <fiberloom/solvers/fiber_bounds.h>
 #include <fiberloom/solvers/linear_solver.h>
 
 #include <deal.II/base/mpi.h>
@@ -296,6 +298,57 @@ namespace
           }
       }
   }
+
+  /** Fibers that would go five times as far as they may. */
+  void
+  check_bounds(Checks &checks)
+  {
+    SampleModel model(4);
+    for (auto &body : model.supports.bodies)
+      body.prescribed.set();
+    System system(model.mesh, model.supports, MPI_COMM_WORLD);
+    model.disturb(system);
+    model.add_contacts(.02, .001);
+    system.reinit(model.contacts);
+    system.assemble(model.state, model.targets, model.contacts);
+    const std::vector<double> gradient = system.right_hand_side();
+    LinearSolver              solver(system, "double factor");
+    std::vector<double>       step;
+    const auto                solve_again = [&]() {
+      solver.solve(system.matrix(), model.state.q, gradient, 0, 1e-3, step);
+      return system.gather(step);
+    };
+    Eigen::VectorXd increment = solve_again();
+    const double    allowed   = system.motion().largest_move(increment) / 5;
+    FiberBounds     bounds(model.mesh, system, allowed);
+    checks.that("nothing is held at first", !bounds.hold_some());
+    for (unsigned int k = 0; k < 4; ++k)
+      {
+        bounds.update(gradient, step, increment, true);
+        increment = solve_again();
+      }
+    checks.that("then something is", bounds.hold_some());
+    const double over = system.motion().largest_move(increment) / allowed;
+    checks.below("move over its bound", over, 1.05);
+    checks.above("move over its bound", over, .8);
+
+    // The next matrix gets the same.
+    system.assemble(model.state, model.targets, model.contacts);
+    bounds.add_to_matrix();
+    checks.below("step by the next matrix",
+                 relative_error(solve_again(), increment),
+                 1e-8);
+
+    system.assemble(model.state, model.targets, model.contacts);
+    increment = solve_again();
+    bounds.cut(step, increment);
+    checks.below("what is cut, over its bound",
+                 system.motion().largest_move(system.gather(step)) / allowed,
+                 1 + 1e-12);
+
+    bounds.release();
+    checks.that("nothing is held in the end", !bounds.hold_some());
+  }
 } // namespace
 
 int
@@ -313,4 +366,5 @@ main(int argc, char **argv)
   check_pattern(checks);
   check_closing(checks);
   check_buckling(checks);
+  check_bounds(checks);
 }

@@ -8,6 +8,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <Epetra_MultiVector.h>
+#include <Epetra_Vector.h>
 
 #include <algorithm>
 #include <utility>
@@ -141,6 +142,35 @@ namespace fiberloom
                                 n == 3           ? value * matrix_weight :
                                                    value;
       }
+  }
+
+
+
+  void
+  BlockMatrix::add_to_diagonal(const std::vector<double> &values)
+  {
+    for (const unsigned int row : numbering.owned_blocks())
+      if (row < values.size())
+        {
+          const unsigned int n       = numbering.size(row);
+          double            *entries = block(row, row);
+          for (unsigned int i = 0; i < n; ++i)
+            entries[i * n + i] += values[row];
+        }
+  }
+
+
+
+  std::vector<double>
+  BlockMatrix::times(const std::vector<double> &x) const
+  {
+    std::vector<double> y(x.size());
+    const Epetra_Vector in(View,
+                           OperatorDomainMap(),
+                           const_cast<double *>(x.data()));
+    Epetra_Vector       out(View, OperatorRangeMap(), y.data());
+    Apply(in, out);
+    return y;
   }
 
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace fiberloom
 {
@@ -38,9 +39,9 @@ namespace fiberloom
     // Levenberg's least diagonal, over E r.
     constexpr double least_damping = 1e-5;
 
-    // Of the linear systems: what they leave is well below what is asked for.
-    // With limits that follow, a step is hardly ever better than this.
-    constexpr double linear_tolerance = 1e-6, coupled_tolerance = 1e-2;
+    // Of the linear systems at rest, and where a step is hardly ever better:
+    // far from rest, and with limits that follow.
+    constexpr double linear_tolerance = 1e-6, rough_tolerance = 1e-2;
 
     /** Without friction fibers are loose enough to buckle. */
     Curvature
@@ -66,6 +67,7 @@ namespace fiberloom
     , increment(increment)
     , largest_move(largest_move)
     , watch(std::move(watch))
+    , bounds(mesh, system, largest_move)
   {}
 
 
@@ -77,6 +79,7 @@ namespace fiberloom
                 const Penetration *penetration)
   {
     begin();
+    bounds.release();
     unsigned int n       = 0; // iterations with this stiffness
     const auto   stiffen = [&]() {
       if (penetration == nullptr ||
@@ -289,7 +292,7 @@ namespace fiberloom
                                       system.stiffness_scale(),
                                     step.solution,
                                     indefinite,
-                                    linear_tolerance);
+                                    forcing());
     }
     add(statistics, outcome);
     if (is_exact)
@@ -297,14 +300,73 @@ namespace fiberloom
     if (outcome.negative_pivots != 0 &&
         indefinite == LinearSolver::Indefinite::refused)
       return false;
-    step.increment = system.gather(step.solution);
-    step.move      = system.motion().largest_move(step.increment);
-    double slope   = 0;
-    for (unsigned int i = 0; i < gradient.size(); ++i)
-      slope -= gradient[i] * step.solution[i];
-    step.slope =
-      dealii::Utilities::MPI::sum(slope, system.layout().communicator());
+    complete(step);
     return true;
+  }
+
+
+
+  double
+  Newton::forcing() const
+  {
+    return std::clamp(shortest * residual, linear_tolerance, rough_tolerance);
+  }
+
+
+
+  void
+  Newton::complete(Step &step) const
+  {
+    step.increment = system.gather(step.solution);
+    step.response  = system.matrix().times(step.solution);
+    step.slope     = -dot(gradient, step.solution);
+    step.curvature = dot(step.response, step.solution);
+    step.move      = system.motion().largest_move(step.increment);
+  }
+
+
+
+  Newton::Step
+  Newton::bounded(const Step &step) const
+  {
+    Step bounded = step;
+    if (is_bounded)
+      {
+        bounds.cut(bounded.solution, step.increment);
+        complete(bounded);
+      }
+    return bounded;
+  }
+
+
+
+  double
+  Newton::dot(const std::vector<double> &a, const std::vector<double> &b) const
+  {
+    const double sum = std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+    return dealii::Utilities::MPI::sum(sum, system.layout().communicator());
+  }
+
+
+
+  void
+  Newton::solve_first(const State &state, const Problem &problem, Step &step)
+  {
+    using Indefinite = LinearSolver::Indefinite;
+    // Held fibers have so much more that low-rank blocks may leave this out.
+    const double least = is_bounded && bounds.hold_some() ?
+                           std::max(damping, least_damping) :
+                           damping;
+    if (is_bounded)
+      bounds.add_to_matrix();
+    if (is_exact && !solve_linear(state, least, Indefinite::refused, step))
+      {
+        assemble(state, problem, definite(problem));
+        if (is_bounded)
+          bounds.add_to_matrix();
+      }
+    if (!is_exact)
+      solve_linear(state, least, Indefinite::shifted, step);
   }
 
 
@@ -312,44 +374,45 @@ namespace fiberloom
   bool
   Newton::find_step(const State &state, const Problem &problem, Step &step)
   {
-    using Indefinite = LinearSolver::Indefinite;
-    other            = Step();
-    if (is_exact && !solve_linear(state, damping, Indefinite::refused, step))
-      assemble(state, problem, definite(problem));
-    if (!is_exact)
-      solve_linear(state, damping, Indefinite::shifted, step);
-    // Fibers that nothing holds must not hold back all the others.
-    while (!problem.rule.friction && std::isfinite(step.move) &&
-           longest(step) < poor_model &&
-           !system.motion().moves(state, problem.targets))
-      {
-        const double more = std::max(largest_change * damping, least_damping);
-        solve_linear(state, more - damping, Indefinite::shifted, step);
-        damping = more;
-      }
+    other      = Step();
+    is_bounded = largest_move > 0 && !problem.rule.friction &&
+                 !system.motion().moves(state, problem.targets);
+    solve_first(state, problem, step);
+    const bool is_far = is_bounded && step.move > largest_move;
 
     ContactPrediction prediction(
       mesh, system, increment, problem, ContactPrediction::Kind::closing);
-    const auto predicts = [&]() {
+    const auto predicts = [&](const Step &step) {
       const State ahead = moved(state, step.increment, longest(step));
       ScopedTimer timer(statistics.seconds.assembly);
       return prediction.add_stiffness(state, ahead);
     };
-    for (unsigned int k = 0;
-         k < most_predictions && std::isfinite(step.move) && predicts();
-         ++k)
+    // What is far closes other contacts in the next iteration.
+    const unsigned int most = is_far ? 1 : most_predictions;
+    for (unsigned int k = 0; k < most && std::isfinite(step.move); ++k)
       {
+        Step       cut    = bounded(step);
+        const bool closes = predicts(cut);
+        if (!closes && !is_far)
+          break;
+        if (is_far)
+          bounds.update(gradient, step.solution, step.increment, true);
         // Contacts that are predicted pull as well as push: what they make of
         // the step still has to go down.
         Step next;
-        solve_linear(state, 0, Indefinite::shifted, next);
+        solve_linear(state, 0, LinearSolver::Indefinite::shifted, next);
         if (!(next.slope < 0))
           break;
         if (k == 0)
-          other = std::move(step);
+          other = std::move(cut);
         step = std::move(next);
       }
-    return std::isfinite(step.move);
+    if (!std::isfinite(step.move))
+      return false;
+    if (is_bounded)
+      bounds.update(gradient, step.solution, step.increment, false);
+    step = bounded(step);
+    return true;
   }
 
 
@@ -466,7 +529,7 @@ namespace fiberloom
       ScopedTimer timer(statistics.seconds.linear_solver);
       found = linear_solver.solve_coupled(system.matrix(),
                                           right_hand_side,
-                                          coupled_tolerance,
+                                          rough_tolerance,
                                           step.solution,
                                           outcome);
     }
@@ -561,13 +624,15 @@ namespace fiberloom
     found.energy =
       correct(state, problem, *taken, factor, found.energy, found.state);
 
-    const double slope     = taken->slope;
-    const double modelled  = std::min(1., factor);
-    const double predicted = -slope * modelled * (1 - .5 * modelled);
+    const double modelled = std::min(1., factor);
+    const double predicted =
+      -modelled * (taken->slope + .5 * modelled * taken->curvature);
     const double actual = predicted > 0 ? (here - found.energy) / predicted : 0;
-    if (actual < poor_model || found.cuts > 1)
+    // Where fibers have bounds, these see to it that no step is too long.
+    if (found.cuts > 1 || (!is_bounded && actual < poor_model))
       damping = std::max(largest_change * damping, least_damping);
-    else if (actual > good_model && found.cuts == 0 && full == 1)
+    else if (found.cuts == 0 && full == 1 &&
+             (is_bounded || actual > good_model))
       damping = damping > least_damping ? damping / largest_change : 0;
     trusted          = factor >= 1 && actual > poor_model;
     last_factor      = factor;
@@ -582,11 +647,7 @@ namespace fiberloom
   {
     std::vector<ContactElement> contacts = increment.contacts;
     system.assemble_residual(there, problem.targets, contacts);
-    const std::vector<double> free  = system.free_residual();
-    double                    slope = 0;
-    for (unsigned int i = 0; i < free.size(); ++i)
-      slope += free[i] * step.solution[i];
-    return dealii::Utilities::MPI::sum(slope, system.layout().communicator());
+    return dot(system.free_residual(), step.solution);
   }
 
 
@@ -611,12 +672,12 @@ namespace fiberloom
         }
         std::vector<double> defect = system.free_residual(), solution;
         for (unsigned int i = 0; i < defect.size(); ++i)
-          defect[i] = -(defect[i] + (1 - factor) * gradient[i]);
+          defect[i] = factor * step.response[i] - gradient[i] - defect[i];
         LinearSolver::Outcome outcome;
         {
           ScopedTimer timer(statistics.seconds.linear_solver);
           if (!linear_solver.solve_again(
-                system.matrix(), defect, linear_tolerance, solution, outcome))
+                system.matrix(), defect, forcing(), solution, outcome))
             break;
         }
         add(statistics, outcome);

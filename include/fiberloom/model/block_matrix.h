@@ -50,7 +50,17 @@ namespace fiberloom
     void
     add_to_diagonal(const double value);
 
-    /** The least of what that has added to displacements since all was zero. */
+    /** Its product with the owned part of a vector. */
+    std::vector<double>
+    times(const std::vector<double> &x) const;
+
+    /** Adds @p values , one for each fiber node, to the diagonal entries of its
+     * block. */
+    void
+    add_to_diagonal(const std::vector<double> &values);
+
+    /** The least of what the first of them has added to displacements since all
+     * was zero. */
     double
     least_addition() const;
 

@@ -4,6 +4,7 @@
 #ifndef fiberloom_solvers_newton_h
 #define fiberloom_solvers_newton_h
 
+#include <fiberloom/solvers/fiber_bounds.h>
 #include <fiberloom/solvers/increment.h>
 #include <fiberloom/solvers/linear_solver.h>
 #include <fiberloom/solvers/penetration.h>
@@ -23,7 +24,8 @@ namespace fiberloom
    * it is followed by corrections with the factor at hand, which lead back to
    * its floor, and contacts that a step would close take part in it. Where the
    * Hessian is indefinite, that of contacts loses what makes it so, without
-   * friction that of fibers, too. Where they are new, friction's limits follow
+   * friction that of fibers, too, and no fiber goes further than its own
+   * bound. Where they are new, friction's limits follow
    * the normal forces within the linear system, as long as the residual or the
    * steps that are left get smaller.
    */
@@ -77,8 +79,10 @@ namespace fiberloom
     {
       std::vector<double> solution; // of the linear system
       Eigen::VectorXd     increment;
-      double              slope = 0; // of the energy along it [N mm]
-      double              move  = 0; // largest, over the radius
+      std::vector<double> response;      // of the system's matrix
+      double              slope     = 0; // of the energy along it [N mm]
+      double              curvature = 0; // of its model [N mm]
+      double              move      = 0; // largest, over the radius
     };
 
     /** Where a line search ends. */
@@ -135,6 +139,26 @@ namespace fiberloom
     /** False where the matrix stays indefinite or the step is not finite. */
     bool
     find_step(const State &state, const Problem &problem, Step &step);
+
+    /** By the tangent as it is, or by one that is nearly definite. */
+    void
+    solve_first(const State &state, const Problem &problem, Step &step);
+
+    /** What linear systems may leave, well below what their step will. */
+    double
+    forcing() const;
+
+    /** Sets all that follows from the solution. */
+    void
+    complete(Step &step) const;
+
+    /** Cut at the bounds of fibers, if there are any. */
+    Step
+    bounded(const Step &step) const;
+
+    /** Over all ranks. */
+    double
+    dot(const std::vector<double> &a, const std::vector<double> &b) const;
 
     /** What the system that was assembled last leads to. */
     bool
@@ -223,10 +247,12 @@ namespace fiberloom
     DofVector           generated_at;
     std::vector<double> gradient; // with the sign of a right hand side
     Step                other;    // without contacts that are to close
-    bool                is_exact       = true; // the tangent of this iteration
-    bool                trusted        = true; // the model of the last one
-    double              damping        = 0;    // over E r
-    double              residual       = 0;    // over its scale
+    FiberBounds         bounds;
+    bool                is_bounded     = false; // fibers, in this iteration
+    bool                is_exact       = true;  // the tangent of this iteration
+    bool                trusted        = true;  // the model of the last one
+    double              damping        = 0;     // over E r
+    double              residual       = 0;     // over its scale
     double              lagged         = 0; // that, when limits were last set
     bool                limits_are_new = false; // of friction, at this state
     double              coupled_below  = 0; // this residual limits may follow
