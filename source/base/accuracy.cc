@@ -39,7 +39,7 @@ namespace fiberloom
   } // namespace
 
   const std::string allowed_accuracies =
-    "draft, standard, fine, or an error from 0.2 % to 20 %, such as 2 %";
+    "preview, draft, standard, fine, or an error from 0.2 % to 20 %, such as 2 %";
 
   std::optional<double>
   error_in_percent(const std::string &accuracy)

@@ -23,6 +23,13 @@ namespace fiberloom
 {
   namespace
   {
+    // Of a fiber for each tow that it crosses: a quadratic element has one
+    // half wave.
+    constexpr unsigned int preview_elements = 2;
+
+    // Over the radius; with more, tows would jump over each other.
+    constexpr double preview_step = .7;
+
     // Points of the load at which functions are looked at, and at which they
     // must be finite; what is between is found where an increment ends there.
     constexpr unsigned int n_samples = 200, n_finite = 2000;
@@ -511,7 +518,10 @@ namespace fiberloom
   void
   Parameters::resolve()
   {
-    const std::optional<double> percent = error_in_percent(accuracy);
+    if (is_preview())
+      resolve_preview();
+    const std::optional<double> percent =
+      error_in_percent(is_preview() ? "draft" : accuracy);
     if (!percent)
       throw InputError(where("Accuracy") + " = " + accuracy +
                        " is not allowed; allowed: " + allowed_accuracies);
@@ -533,6 +543,31 @@ namespace fiberloom
     compact.first_step = std::min(compact.first_step, compact.largest_step);
     load.first_step    = std::min(load.first_step, load.largest_step);
   }
+
+  void
+  Parameters::resolve_preview()
+  {
+    if (stages.empty() || stages.front() != "weave" || !is_fabric())
+      throw InputError(where("Accuracy") +
+                       " = preview shows how a fabric is woven; allowed where "
+                       "Stages begins with weave and no fibers are given");
+    stages.resize(1);
+    const auto coarsen = [](TowParameters &tows, const unsigned int crossed) {
+      const unsigned int coarsest = preview_elements * crossed;
+      if (tows.elements_per_fiber == 0 || tows.elements_per_fiber > coarsest)
+        tows.elements_per_fiber = coarsest;
+    };
+    coarsen(fabric.warp, fabric.fill.tows);
+    coarsen(fabric.fill, fabric.warp.tows);
+    contact.stations_per_element = 1;
+    weaving.step                 = std::max(weaving.step, preview_step);
+    // Loose fibers have no use for a factor of the whole.
+    if (solver.linear_solver == "automatic")
+      solver.linear_solver = "rigid sections";
+    output.exports.clear();
+  }
+
+
 
   void
   Parameters::resolve_matrix()

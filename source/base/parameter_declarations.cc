@@ -485,7 +485,8 @@ namespace fiberloom
                   "Error of the loading curve to aim at: sets together the "
                   "automatic values of elements per fiber, stations, "
                   "penetration and tolerance. draft is 10 %, standard 2 % and "
-                  "fine 0.5 %.",
+                  "fine 0.5 %. preview weaves coarse fibers roughly, without "
+                  "balance, and leaves out all other stages.",
                   Allowed::text_like(allowed_accuracies));
     catalogue.add("Maximal wall time",
                   maximal_wall_time,

@@ -161,6 +161,14 @@ namespace fiberloom
                        "out");
       }
 
+      void
+      tell_of_preview()
+      {
+        add(parameters.where("Accuracy") +
+            " = preview: coarse fibers are woven roughly, without balance and "
+            "without other stages or exports; nothing is claimed of accuracy");
+      }
+
       std::vector<std::string>
       all() const
       {
@@ -185,6 +193,8 @@ namespace fiberloom
   input_notes(const Parameters &parameters, const FiberSet &fibers)
   {
     Notes notes(parameters);
+    if (parameters.is_preview())
+      notes.tell_of_preview();
     if (parameters.is_fabric())
       {
         notes.check_tows(parameters.fabric.warp, "Fabric/Warp/");

@@ -115,6 +115,10 @@ pre { font-size: .8em; white-space: pre-wrap; }
       std::string      text    = "<h1>" + escaped(report.scene) +
                          "</h1>\n<p>fiberloom " + summary.version + " (" +
                          summary.revision + "), run " + summary.run + ". ";
+      if (summary.preview)
+        text += "<strong>A preview: woven roughly by coarse fibers that are "
+                "not in balance; nothing is claimed of its accuracy."
+                "</strong> ";
       text += summary.converged ?
                 "All stages reached their end.</p>\n" :
                 "<span class=\"failed\">The run did not reach its "

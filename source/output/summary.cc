@@ -76,10 +76,10 @@ namespace fiberloom
     }
 
     Json
-    stage_json(const StageStatistics &stage)
+    stage_json(const StageStatistics &stage, const bool preview)
     {
       Json                       json      = {{"name", stage.name},
-                                              {"converged", stage.converged},
+                                              {"converged", stage.converged && !preview},
                                               {"increments", stage.increments},
                                               {"rejected_increments", stage.rejected_increments},
                                               {"contact_updates", stage.contact_updates},
@@ -122,11 +122,12 @@ namespace fiberloom
                  {"revision", summary.revision},
                  {"run", summary.run},
                  {"ranks", summary.ranks},
-                 {"converged", summary.converged},
+                 {"preview", summary.preview},
+                 {"converged", summary.converged && !summary.preview},
                  {"model", model_json(summary.model)},
                  {"stages", Json::array()}};
     for (const StageStatistics &stage : summary.stages)
-      json["stages"].push_back(stage_json(stage));
+      json["stages"].push_back(stage_json(stage, summary.preview));
     for (const auto &[name, value] : summary.fabric)
       json["fabric"][name] = value;
     json["peak_memory_bytes"] =

@@ -76,13 +76,15 @@ namespace fiberloom
 
     /** Name of a stage in files; with its number where the name came before. */
     std::string
-    stage_label(const std::vector<std::string> &stages,
-                const unsigned int              number)
+    stage_label(const Parameters &parameters, const unsigned int number)
     {
-      const auto current = stages.begin() + number;
-      return std::find(stages.begin(), current, *current) == current ?
-               *current :
-               *current + "_" + std::to_string(number);
+      const auto &stages  = parameters.stages;
+      const auto  current = stages.begin() + number;
+      return *current +
+             (std::find(stages.begin(), current, *current) == current ?
+                "" :
+                "_" + std::to_string(number)) +
+             (parameters.is_preview() ? "_preview" : "");
     }
 
     bool
@@ -119,6 +121,7 @@ namespace fiberloom
     summary.version  = program_version();
     summary.revision = program_revision();
     summary.run      = run.id;
+    summary.preview  = parameters.is_preview();
     summary.model    = model;
     summary.ranks    = dealii::Utilities::MPI::n_mpi_processes(comm);
     // What goes wrong is thrown with one line; VTK would add its own.
@@ -198,7 +201,7 @@ namespace fiberloom
     if (state.increment > 0)
       return;
     const std::string label =
-      increment_label(stage_label(parameters.stages, state.stage), 0);
+      increment_label(stage_label(parameters, state.stage), 0);
     write_slices(state, stage, label);
     if (!fiber_series.has(field_time(state)))
       write_fields(state, {}, composite, label);
@@ -225,7 +228,6 @@ namespace fiberloom
     log_size          = log.size();
 
     StageStatistics entry  = report.statistics;
-    entry.name             = report.stage;
     entry.converged        = report.last;
     entry.contact_elements = report.contacts.size();
     record(state.stage, entry);
@@ -254,7 +256,7 @@ namespace fiberloom
   OutputWriter::write_files(const IncrementReport &report)
   {
     const State      &state = report.state;
-    const std::string label = stage_label(parameters.stages, state.stage);
+    const std::string label = stage_label(parameters, state.stage);
     write_tables(report);
     write_breaks(state.fibers);
     if (is_due(parameters.output.slices_every, report))
@@ -408,7 +410,7 @@ namespace fiberloom
     // What a stage that is not done would have written may be of a run before.
     if (!parameters.output.pictures || !statistics[stage].converged)
       return {};
-    const std::string          label = stage_label(parameters.stages, stage);
+    const std::string          label = stage_label(parameters, stage);
     std::vector<ReportPicture> pictures;
     if (const std::string view = path("pictures/view_" + label + ".png");
         std::filesystem::exists(view))
@@ -637,6 +639,8 @@ namespace fiberloom
   {
     if (parameters.output.pictures)
       write_pictures(report, label);
+    if (parameters.is_preview())
+      return;
     collectively(comm, [&]() {
       if (!is_first_rank())
         return;

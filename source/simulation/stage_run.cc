@@ -520,7 +520,7 @@ namespace fiberloom
                            std::numeric_limits<double>::quiet_NaN());
     if (breakage)
       curve.emplace_back("broken", state.fibers.breaks.size());
-    observer({name,
+    observer({name + (scene.parameters.is_preview() ? " (preview)" : ""),
               state,
               equilibrium.contacts(),
               supports,

@@ -87,8 +87,9 @@ namespace fiberloom
   bool
   Weave::has_fast_path() const
   {
-    return scene.parameters.weaving.path != "nested" &&
-           scene.parameters.solver.loops != "nested";
+    return scene.parameters.is_preview() ||
+           (scene.parameters.weaving.path != "nested" &&
+            scene.parameters.solver.loops != "nested");
   }
 
 
@@ -96,7 +97,8 @@ namespace fiberloom
   bool
   Weave::starts_coarsely() const
   {
-    return has_fast_path() && scene.parameters.weaving.coarser_meshes > 0;
+    return has_fast_path() && !scene.parameters.is_preview() &&
+           scene.parameters.weaving.coarser_meshes > 0;
   }
 
 
@@ -139,7 +141,7 @@ namespace fiberloom
                         problem,
                         weaving.fast_iterations_per_step,
                         damping);
-    return settle(state, before, equilibrium);
+    return scene.parameters.is_preview() || settle(state, before, equilibrium);
   }
 
 

@@ -295,8 +295,8 @@ namespace fiberloom
 
     std::string              output_directory = "output";
     std::vector<std::string> stages           = {"weave", "relax", "biaxial"};
-    std::string accuracy = "standard"; // draft | standard | fine | "2 %"
-    double      maximal_wall_time = 0; // [s], 0: unlimited
+    std::string accuracy          = "standard"; // preview | draft | ... | "2 %"
+    double      maximal_wall_time = 0;          // [s], 0: unlimited
 
     // "fibers" when section Fibers has a source, "fabric" otherwise
     FabricParameters             fabric;
@@ -321,6 +321,13 @@ namespace fiberloom
     has_matrix() const
     {
       return matrix.layers != "none";
+    }
+
+    /** Woven roughly, by coarse fibers that are not in balance at the end. */
+    bool
+    is_preview() const
+    {
+      return accuracy == "preview";
     }
 
     bool
@@ -376,6 +383,9 @@ namespace fiberloom
   private:
     std::string                        source;    // the file
     std::map<std::string, std::string> locations; // of the entries set
+
+    void
+    resolve_preview();
 
     void
     resolve_matrix();

@@ -21,6 +21,7 @@ namespace fiberloom
     std::string                                 revision;
     std::string                                 run; // its id
     unsigned int                                ranks     = 1;
+    bool                                        preview   = false;
     bool                                        converged = false;
     ModelSize                                   model;
     std::vector<StageStatistics>                stages;
