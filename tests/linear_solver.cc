@@ -321,13 +321,13 @@ namespace
     Eigen::VectorXd increment = solve_again();
     const double    allowed   = system.motion().largest_move(increment) / 5;
     FiberBounds     bounds(model.mesh, system, allowed);
-    checks.that("nothing is held at first", !bounds.hold_some());
+    checks.that("nothing is held at first", !bounds.hold_any());
     for (unsigned int k = 0; k < 4; ++k)
       {
-        bounds.update(gradient, step, increment, true);
+        bounds.hold(gradient, step, increment);
         increment = solve_again();
       }
-    checks.that("then something is", bounds.hold_some());
+    checks.that("then something is", bounds.hold_any());
     const double over = system.motion().largest_move(increment) / allowed;
     checks.below("move over its bound", over, 1.05);
     checks.above("move over its bound", over, .8);
@@ -347,7 +347,7 @@ namespace
                  1 + 1e-12);
 
     bounds.release();
-    checks.that("nothing is held in the end", !bounds.hold_some());
+    checks.that("nothing is held in the end", !bounds.hold_any());
   }
 } // namespace
 

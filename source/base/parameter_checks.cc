@@ -23,11 +23,7 @@ namespace fiberloom
 {
   namespace
   {
-    // Of a fiber for each tow that it crosses: a quadratic element has one
-    // half wave.
-    constexpr unsigned int preview_elements = 2;
-
-    // Over the radius; with more, tows would jump over each other.
+    // Over the radius, the largest by which weaves have been compared.
     constexpr double preview_step = .7;
 
     // Points of the load at which functions are looked at, and at which they
@@ -553,7 +549,7 @@ namespace fiberloom
                        "Stages begins with weave and no fibers are given");
     stages.resize(1);
     const auto coarsen = [](TowParameters &tows, const unsigned int crossed) {
-      const unsigned int coarsest = preview_elements * crossed;
+      const unsigned int coarsest = TowParameters::least_elements * crossed;
       if (tows.elements_per_fiber == 0 || tows.elements_per_fiber > coarsest)
         tows.elements_per_fiber = coarsest;
     };

@@ -131,18 +131,32 @@ namespace fiberloom
 
 
 
+  std::vector<double>
+  Motion::largest_moves(const Eigen::VectorXd &increment) const
+  {
+    std::vector<double> moves;
+    for (const auto &line : mesh.lines())
+      {
+        double move = 0;
+        for (unsigned int n = line.first_node;
+             n < line.first_node + line.n_nodes();
+             ++n)
+          for (unsigned int v = 0; v < 3; ++v)
+            move = std::max(move,
+                            increment.segment<3>(9 * n + 3 * v).norm() /
+                              line.radius);
+        moves.push_back(move);
+      }
+    return moves;
+  }
+
+
+
   double
   Motion::largest_move(const Eigen::VectorXd &increment) const
   {
-    double move = 0;
-    for (const auto &line : mesh.lines())
-      for (unsigned int n = line.first_node;
-           n < line.first_node + line.n_nodes();
-           ++n)
-        for (unsigned int v = 0; v < 3; ++v)
-          move =
-            std::max(move,
-                     increment.segment<3>(9 * n + 3 * v).norm() / line.radius);
+    const std::vector<double> moves = largest_moves(increment);
+    double move = *std::max_element(moves.begin(), moves.end());
     if (supports.cell && increment.size() == layout.n_dofs())
       for (unsigned int b = 0; b < supports.bodies.size(); ++b)
         move = std::max(

@@ -321,7 +321,8 @@ namespace fiberloom
   void
   OutputWriter::end_stage(const State &state)
   {
-    if (!parameters.output.only_summary)
+    // Nothing is to go on from a preview as if it were in balance.
+    if (!parameters.output.only_summary && !parameters.is_preview())
       save(state);
     write_summary(state.stage == parameters.stages.size());
   }

@@ -13,10 +13,6 @@ namespace fiberloom
 {
   namespace
   {
-    // Of a fiber for each tow that it crosses: a quadratic element has one
-    // half wave.
-    constexpr unsigned int least_elements = 2;
-
     // Contact, too, is coarser: it needs fewer stations, and what touches
     // changes less abruptly. Deeper than this, over the radius, fibers would
     // no longer stay on their sides.
@@ -42,7 +38,8 @@ namespace fiberloom
       FabricParameters &fabric = parameters.fabric;
       const auto halve = [](TowParameters &tows, const unsigned int crossed) {
         tows.elements_per_fiber = (tows.elements_per_fiber + 1) / 2;
-        return tows.elements_per_fiber >= least_elements * crossed;
+        return tows.elements_per_fiber >=
+               TowParameters::least_elements * crossed;
       };
       const bool warp = halve(fabric.warp, fabric.fill.tows),
                  fill = halve(fabric.fill, fabric.warp.tows);

@@ -23,22 +23,13 @@ namespace fiberloom
     : mesh(mesh)
     , system(system)
     , largest_move(largest_move)
-    , fiber_of_node(mesh.n_nodes())
     , multipliers(mesh.lines().size())
-  {
-    for (unsigned int fiber = 0; fiber < multipliers.size(); ++fiber)
-      {
-        const auto &line = mesh.lines()[fiber];
-        std::fill_n(fiber_of_node.begin() + line.first_node,
-                    line.n_nodes(),
-                    fiber);
-      }
-  }
+  {}
 
 
 
   bool
-  FiberBounds::hold_some() const
+  FiberBounds::hold_any() const
   {
     return std::any_of(multipliers.begin(),
                        multipliers.end(),
@@ -66,9 +57,14 @@ namespace fiberloom
   void
   FiberBounds::add_to_matrix(const std::vector<double> &multipliers)
   {
-    std::vector<double> of_nodes(fiber_of_node.size());
-    for (unsigned int node = 0; node < of_nodes.size(); ++node)
-      of_nodes[node] = multipliers[fiber_of_node[node]];
+    std::vector<double> of_nodes(mesh.n_nodes());
+    for (unsigned int fiber = 0; fiber < multipliers.size(); ++fiber)
+      {
+        const auto &line = mesh.lines()[fiber];
+        std::fill_n(of_nodes.begin() + line.first_node,
+                    line.n_nodes(),
+                    multipliers[fiber]);
+      }
     system.matrix().add_to_diagonal(of_nodes);
   }
 
@@ -79,14 +75,19 @@ namespace fiberloom
   FiberBounds::for_each_dof(const Function &function) const
   {
     const BlockLayout &layout = system.layout();
-    for (const unsigned int block : layout.owned_blocks())
-      if (block < fiber_of_node.size())
-        {
-          const unsigned int first =
-            layout.local_first_dof(layout.local_block(block));
-          for (unsigned int i = first; i < first + layout.size(block); ++i)
-            function(i, fiber_of_node[block]);
-        }
+    for (unsigned int fiber = 0; fiber < mesh.lines().size(); ++fiber)
+      {
+        const auto &line = mesh.lines()[fiber];
+        for (unsigned int node = line.first_node;
+             node < line.first_node + line.n_nodes();
+             ++node)
+          if (const int local = layout.local_block(node); local >= 0)
+            {
+              const unsigned int first = layout.local_first_dof(local);
+              for (unsigned int i = first; i < first + layout.size(node); ++i)
+                function(i, fiber);
+            }
+      }
   }
 
 
@@ -94,26 +95,17 @@ namespace fiberloom
   std::vector<double>
   FiberBounds::moves(const Eigen::VectorXd &increment) const
   {
-    std::vector<double> moves(multipliers.size());
-    for (unsigned int node = 0; node < fiber_of_node.size(); ++node)
-      {
-        const unsigned int fiber = fiber_of_node[node];
-        const double       bound = largest_move * mesh.lines()[fiber].radius;
-        for (unsigned int v = 0; v < 3; ++v)
-          moves[fiber] =
-            std::max(moves[fiber],
-                     increment.segment<3>(9 * node + 3 * v).norm() / bound);
-      }
+    std::vector<double> moves = system.motion().largest_moves(increment);
+    for (double &move : moves)
+      move /= largest_move;
     return moves;
   }
 
 
 
-  void
-  FiberBounds::update(const std::vector<double> &gradient,
-                      const std::vector<double> &step,
-                      const Eigen::VectorXd     &increment,
-                      const bool                 at_once)
+  std::vector<double>
+  FiberBounds::stiffness(const std::vector<double> &gradient,
+                         const std::vector<double> &step) const
   {
     std::vector<double> work(multipliers.size()), square(multipliers.size());
     for_each_dof([&](const unsigned int i, const unsigned int fiber) {
@@ -123,26 +115,64 @@ namespace fiberloom
     const MPI_Comm comm = system.layout().communicator();
     dealii::Utilities::MPI::sum(work, comm, work);
     dealii::Utilities::MPI::sum(square, comm, square);
+    // Pushed along by others, one may be as soft as what holds it.
+    std::vector<double> stiffness = multipliers;
+    for (unsigned int fiber = 0; fiber < stiffness.size(); ++fiber)
+      if (square[fiber] > 0)
+        stiffness[fiber] =
+          std::max(stiffness[fiber], work[fiber] / square[fiber]);
+    return stiffness;
+  }
 
-    const std::vector<double> moves = this->moves(increment);
-    std::vector<double>       change(multipliers.size());
+
+
+  void
+  FiberBounds::raise(const std::vector<double> &moves,
+                     const std::vector<double> &stiffness)
+  {
+    // As if each moved along the step by itself, like a spring.
     for (unsigned int fiber = 0; fiber < multipliers.size(); ++fiber)
-      {
-        double &multiplier = multipliers[fiber];
-        if (moves[fiber] <= 1 && (at_once || multiplier == 0))
-          continue;
-        // As if it moved along the step by itself, like a spring.
-        const double stiffness =
-          moves[fiber] > 1 ? std::max(multiplier, work[fiber] / square[fiber]) :
-                             multiplier;
-        double wanted = multiplier + (moves[fiber] - 1) * stiffness;
-        if (wanted < least_multiplier * system.stiffness_scale())
-          wanted = 0;
-        change[fiber] = wanted - multiplier;
-        multiplier    = wanted;
-      }
-    if (at_once)
-      add_to_matrix(change);
+      if (moves[fiber] > 1)
+        multipliers[fiber] += (moves[fiber] - 1) * stiffness[fiber];
+  }
+
+
+
+  void
+  FiberBounds::drop_least()
+  {
+    for (double &multiplier : multipliers)
+      if (multiplier < least_multiplier * system.stiffness_scale())
+        multiplier = 0;
+  }
+
+
+
+  void
+  FiberBounds::hold(const std::vector<double> &gradient,
+                    const std::vector<double> &step,
+                    const Eigen::VectorXd     &increment)
+  {
+    std::vector<double> change = multipliers;
+    raise(moves(increment), stiffness(gradient, step));
+    drop_least();
+    for (unsigned int fiber = 0; fiber < change.size(); ++fiber)
+      change[fiber] = multipliers[fiber] - change[fiber];
+    add_to_matrix(change);
+  }
+
+
+
+  void
+  FiberBounds::prepare_next(const std::vector<double> &gradient,
+                            const std::vector<double> &step,
+                            const Eigen::VectorXd     &increment)
+  {
+    const std::vector<double> moves = this->moves(increment);
+    raise(moves, stiffness(gradient, step));
+    for (unsigned int fiber = 0; fiber < multipliers.size(); ++fiber)
+      multipliers[fiber] *= std::min(1., moves[fiber]);
+    drop_least();
   }
 
 

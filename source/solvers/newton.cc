@@ -17,32 +17,6 @@ namespace fiberloom
 {
   namespace
   {
-    // Stations are found anew when a fiber has moved by this, over its radius:
-    // a third of what the search sees beyond the surfaces.
-    constexpr double stale_after = .1;
-
-    // Predictions in one iteration of contacts whose stiffness changes.
-    constexpr unsigned int most_predictions = 2;
-
-    // Corrections around one factor where the energy judges.
-    constexpr unsigned int most_corrections = 3;
-
-    // From one trial to the next neither the length of a step nor Levenberg's
-    // diagonal changes by more than this; a cut is at least by half.
-    constexpr double largest_change = 10, shortest = 1 / largest_change,
-                     longest_cut = .5;
-
-    // A model is poor where less than this part of what it promises comes true,
-    // and good where at most this part is missing.
-    constexpr double poor_model = .25, good_model = 1 - poor_model;
-
-    // Levenberg's least diagonal, over E r.
-    constexpr double least_damping = 1e-5;
-
-    // Of the linear systems at rest, and where a step is hardly ever better:
-    // far from rest, and with limits that follow.
-    constexpr double linear_tolerance = 1e-6, rough_tolerance = 1e-2;
-
     /** Without friction fibers are loose enough to buckle. */
     Curvature
     definite(const Problem &problem)
@@ -330,7 +304,7 @@ namespace fiberloom
   Newton::bounded(const Step &step) const
   {
     Step bounded = step;
-    if (is_bounded)
+    if (is_bounded && step.move > largest_move)
       {
         bounds.cut(bounded.solution, step.increment);
         complete(bounded);
@@ -354,7 +328,7 @@ namespace fiberloom
   {
     using Indefinite = LinearSolver::Indefinite;
     // Held fibers have so much more that low-rank blocks may leave this out.
-    const double least = is_bounded && bounds.hold_some() ?
+    const double least = is_bounded && bounds.hold_any() ?
                            std::max(damping, least_damping) :
                            damping;
     if (is_bounded)
@@ -396,7 +370,7 @@ namespace fiberloom
         if (!closes && !is_far)
           break;
         if (is_far)
-          bounds.update(gradient, step.solution, step.increment, true);
+          bounds.hold(gradient, step.solution, step.increment);
         // Contacts that are predicted pull as well as push: what they make of
         // the step still has to go down.
         Step next;
@@ -410,133 +384,9 @@ namespace fiberloom
     if (!std::isfinite(step.move))
       return false;
     if (is_bounded)
-      bounds.update(gradient, step.solution, step.increment, false);
+      bounds.prepare_next(gradient, step.solution, step.increment);
     step = bounded(step);
     return true;
-  }
-
-
-
-  bool
-  Newton::find_coupled_step(const State   &state,
-                            const Problem &problem,
-                            Step          &step)
-  {
-    system.couple_limits(true);
-    assemble(state, problem, Curvature::exact);
-    system.couple_limits(false);
-    ContactPrediction prediction(
-      mesh, system, increment, problem, ContactPrediction::Kind::all);
-    const auto predicts = [&]() {
-      const State ahead =
-        moved(state, step.increment, std::min(1., stale_after / step.move));
-      ScopedTimer timer(statistics.seconds.assembly);
-      return prediction.add_stiffness(state, ahead);
-    };
-    bool found = solve_coupled(gradient, step);
-    for (unsigned int k = 0; k < most_predictions && found && predicts(); ++k)
-      found = solve_coupled(system.right_hand_side(), step);
-    return found;
-  }
-
-
-
-  bool
-  Newton::take_coupled_step(State &state, const Problem &problem)
-  {
-    if (!problem.rule.friction || !limits_are_new || !is_exact || damping > 0 ||
-        !(coupled_since > 0 || residual < coupled_below))
-      return false;
-    Step step;
-    if (find_coupled_step(state, problem, step))
-      {
-        const auto kept   = increment.all_contacts();
-        double     factor = std::min(1., stale_after / step.move);
-        for (; factor >= poor_model; factor *= longest_cut)
-          {
-            CoupledStep there;
-            there.state    = state;
-            there.residual = residual;
-            if (!reach_coupled(there, problem, step, factor))
-              continue;
-            correct_coupled(there, problem);
-            state        = std::move(there.state);
-            generated_at = state.q;
-            if (coupled_since == 0)
-              coupled_since = residual;
-            residual = lagged = there.residual;
-            trusted           = true;
-            last_factor       = factor;
-            return true;
-          }
-        increment.take_back(kept);
-      }
-    if (coupled_since > 0)
-      coupled_below = coupled_since;
-    coupled_since = 0;
-    return false;
-  }
-
-
-
-  bool
-  Newton::reach_coupled(CoupledStep   &there,
-                        const Problem &problem,
-                        const Step    &step,
-                        const double   factor)
-  {
-    const double shorter = 1 - poor_model * factor, before = there.residual;
-    system.motion().advance(there.state, step.increment, factor);
-    there.residual             = increment.measure_anew(there.state, problem);
-    std::vector<double> defect = system.free_residual();
-    for (double &value : defect)
-      value = -value;
-    return solve_coupled(defect, there.next) &&
-           (there.next.move < shorter * step.move ||
-            there.residual < shorter * before ||
-            there.residual < increment.tolerance());
-  }
-
-
-
-  void
-  Newton::correct_coupled(CoupledStep &there, const Problem &problem)
-  {
-    while (there.residual > increment.tolerance() &&
-           there.next.move < stale_after)
-      {
-        const auto  kept = increment.all_contacts();
-        CoupledStep next;
-        next.state    = there.state;
-        next.residual = there.residual;
-        if (!reach_coupled(next, problem, there.next, 1))
-          {
-            increment.take_back(kept);
-            return;
-          }
-        there = std::move(next);
-      }
-  }
-
-
-
-  bool
-  Newton::solve_coupled(const std::vector<double> &right_hand_side, Step &step)
-  {
-    LinearSolver::Outcome outcome;
-    bool                  found;
-    {
-      ScopedTimer timer(statistics.seconds.linear_solver);
-      found = linear_solver.solve_coupled(system.matrix(),
-                                          right_hand_side,
-                                          rough_tolerance,
-                                          step.solution,
-                                          outcome);
-    }
-    add(statistics, outcome);
-    step.increment = system.gather(step.solution);
-    step.move      = system.motion().largest_move(step.increment);
-    return found && std::isfinite(step.move);
   }
 
 

@@ -25,6 +25,9 @@ namespace fiberloom
   {
     static constexpr unsigned int most_elements = 10000; // per fiber
 
+    // For each tow that a fiber crosses: a quadratic element has one half wave.
+    static constexpr unsigned int least_elements = 2;
+
     bool                      same_as_warp = false;
     unsigned int              tows         = 4;
     unsigned int              fibers       = 7;

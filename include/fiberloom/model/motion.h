@@ -86,9 +86,13 @@ namespace fiberloom
       return supports.cell.has_value();
     }
 
-    /** Largest change of a node's x0, r g1 or r g2 over its radius by @p
-     * increment , of a cell's elongations and of plates, too, if it has them.
-     */
+    /** Largest change of x0, r g1 or r g2 of each fiber's nodes over its radius
+     * by @p increment . */
+    std::vector<double>
+    largest_moves(const Eigen::VectorXd &increment) const;
+
+    /** The largest of these, and of a cell's elongations and of plates, too, if
+     * it has them. */
     double
     largest_move(const Eigen::VectorXd &increment) const;
 

@@ -19,16 +19,17 @@ namespace fiberloom
   class FiberBounds
   {
   public:
-    /** References are kept. @p largest_move : of a fiber, over its radius; 0:
-     * there are no bounds. */
+    /** References are kept. @p largest_move : of a fiber, over its radius,
+     * above 0 wherever a bound is asked for. */
     FiberBounds(const FiberMesh &mesh,
                 System          &system,
                 const double     largest_move);
 
-    /** Whether fibers that nothing else holds may move on. */
+    /** Whether a multiplier is not zero. */
     bool
-    hold_some() const;
+    hold_any() const;
 
+    /** Sets all multipliers to zero. */
     void
     release();
 
@@ -36,16 +37,21 @@ namespace fiberloom
     add_to_matrix();
 
     /**
-     * Sets multipliers by what a @p step led to, in all dofs @p increment ,
-     * @p gradient being the system's right hand side. Those that are to grow
-     * also do so in the matrix if @p at_once ; otherwise all are set, for the
-     * next matrix.
+     * Raises multipliers of fibers that @p step , in all dofs @p increment ,
+     * sends too far, in the matrix as well. @p gradient : the right hand side
+     * that led to it.
      */
     void
-    update(const std::vector<double> &gradient,
-           const std::vector<double> &step,
-           const Eigen::VectorXd     &increment,
-           const bool                 at_once);
+    hold(const std::vector<double> &gradient,
+         const std::vector<double> &step,
+         const Eigen::VectorXd     &increment);
+
+    /** As that, and lowers those of fibers within their bounds, for the next
+     * matrix only. */
+    void
+    prepare_next(const std::vector<double> &gradient,
+                 const std::vector<double> &step,
+                 const Eigen::VectorXd     &increment);
 
     /** Cuts @p step , in all dofs @p increment , fiber by fiber. */
     void
@@ -56,6 +62,20 @@ namespace fiberloom
     std::vector<double>
     moves(const Eigen::VectorXd &increment) const;
 
+    /** Of fibers along their parts of @p step [N/mm]. */
+    std::vector<double>
+    stiffness(const std::vector<double> &gradient,
+              const std::vector<double> &step) const;
+
+    /** Raises multipliers where @p moves are beyond the bound. */
+    void
+    raise(const std::vector<double> &moves,
+          const std::vector<double> &stiffness);
+
+    /** Sets to zero what holds nothing. */
+    void
+    drop_least();
+
     void
     add_to_matrix(const std::vector<double> &multipliers);
 
@@ -64,11 +84,10 @@ namespace fiberloom
     void
     for_each_dof(const Function &function) const;
 
-    const FiberMesh          &mesh;
-    System                   &system;
-    const double              largest_move;
-    std::vector<unsigned int> fiber_of_node;
-    std::vector<double>       multipliers; // of fibers [N/mm]
+    const FiberMesh    &mesh;
+    System             &system;
+    const double        largest_move;
+    std::vector<double> multipliers; // of fibers [N/mm]
   };
 } // namespace fiberloom
 

@@ -74,6 +74,32 @@ namespace fiberloom
     }
 
   private:
+    // Stations are found anew when a fiber has moved by this, over its radius:
+    // a third of what the search sees beyond the surfaces.
+    static constexpr double stale_after = .1;
+
+    // Predictions in one iteration of contacts whose stiffness changes.
+    static constexpr unsigned int most_predictions = 2;
+
+    // Corrections around one factor where the energy judges.
+    static constexpr unsigned int most_corrections = 3;
+
+    // From one trial to the next neither the length of a step nor Levenberg's
+    // diagonal changes by more than this; a cut is at least by half.
+    static constexpr double largest_change = 10, shortest = 1 / largest_change,
+                            longest_cut = .5;
+
+    // A model is poor where less than this part of what it promises comes true,
+    // and good where at most this part is missing.
+    static constexpr double poor_model = .25, good_model = 1 - poor_model;
+
+    // Levenberg's least diagonal, over E r.
+    static constexpr double least_damping = 1e-5;
+
+    // Of the linear systems at rest, and where a step is hardly ever better:
+    // far from rest, and with limits that follow.
+    static constexpr double linear_tolerance = 1e-6, rough_tolerance = 1e-2;
+
     /** A step in all dofs. */
     struct Step
     {

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+// Newton's steps whose friction limits follow the normal forces.
+
+#include <fiberloom/base/scoped_timer.h>
+
+#include <fiberloom/solvers/contact_prediction.h>
+#include <fiberloom/solvers/newton.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiberloom
+{
+  bool
+  Newton::find_coupled_step(const State   &state,
+                            const Problem &problem,
+                            Step          &step)
+  {
+    system.couple_limits(true);
+    assemble(state, problem, Curvature::exact);
+    system.couple_limits(false);
+    ContactPrediction prediction(
+      mesh, system, increment, problem, ContactPrediction::Kind::all);
+    const auto predicts = [&]() {
+      const State ahead =
+        moved(state, step.increment, std::min(1., stale_after / step.move));
+      ScopedTimer timer(statistics.seconds.assembly);
+      return prediction.add_stiffness(state, ahead);
+    };
+    bool found = solve_coupled(gradient, step);
+    for (unsigned int k = 0; k < most_predictions && found && predicts(); ++k)
+      found = solve_coupled(system.right_hand_side(), step);
+    return found;
+  }
+
+
+
+  bool
+  Newton::take_coupled_step(State &state, const Problem &problem)
+  {
+    if (!problem.rule.friction || !limits_are_new || !is_exact || damping > 0 ||
+        !(coupled_since > 0 || residual < coupled_below))
+      return false;
+    Step step;
+    if (find_coupled_step(state, problem, step))
+      {
+        const auto kept   = increment.all_contacts();
+        double     factor = std::min(1., stale_after / step.move);
+        for (; factor >= poor_model; factor *= longest_cut)
+          {
+            CoupledStep there;
+            there.state    = state;
+            there.residual = residual;
+            if (!reach_coupled(there, problem, step, factor))
+              continue;
+            correct_coupled(there, problem);
+            state        = std::move(there.state);
+            generated_at = state.q;
+            if (coupled_since == 0)
+              coupled_since = residual;
+            residual = lagged = there.residual;
+            trusted           = true;
+            last_factor       = factor;
+            return true;
+          }
+        increment.take_back(kept);
+      }
+    if (coupled_since > 0)
+      coupled_below = coupled_since;
+    coupled_since = 0;
+    return false;
+  }
+
+
+
+  bool
+  Newton::reach_coupled(CoupledStep   &there,
+                        const Problem &problem,
+                        const Step    &step,
+                        const double   factor)
+  {
+    const double shorter = 1 - poor_model * factor, before = there.residual;
+    system.motion().advance(there.state, step.increment, factor);
+    there.residual             = increment.measure_anew(there.state, problem);
+    std::vector<double> defect = system.free_residual();
+    for (double &value : defect)
+      value = -value;
+    return solve_coupled(defect, there.next) &&
+           (there.next.move < shorter * step.move ||
+            there.residual < shorter * before ||
+            there.residual < increment.tolerance());
+  }
+
+
+
+  void
+  Newton::correct_coupled(CoupledStep &there, const Problem &problem)
+  {
+    while (there.residual > increment.tolerance() &&
+           there.next.move < stale_after)
+      {
+        const auto  kept = increment.all_contacts();
+        CoupledStep next;
+        next.state    = there.state;
+        next.residual = there.residual;
+        if (!reach_coupled(next, problem, there.next, 1))
+          {
+            increment.take_back(kept);
+            return;
+          }
+        there = std::move(next);
+      }
+  }
+
+
+
+  bool
+  Newton::solve_coupled(const std::vector<double> &right_hand_side, Step &step)
+  {
+    LinearSolver::Outcome outcome;
+    bool                  found;
+    {
+      ScopedTimer timer(statistics.seconds.linear_solver);
+      found = linear_solver.solve_coupled(system.matrix(),
+                                          right_hand_side,
+                                          rough_tolerance,
+                                          step.solution,
+                                          outcome);
+    }
+    add(statistics, outcome);
+    step.increment = system.gather(step.solution);
+    step.move      = system.motion().largest_move(step.increment);
+    return found && std::isfinite(step.move);
+  }
+} // namespace fiberloom
