@@ -148,13 +148,19 @@ namespace fiberloom
   void
   Newton::refresh(State &state, const Problem &problem)
   {
-    const bool is_stale =
-      generated_at.size() == 0 ||
-      system.motion().largest_move(state.q - generated_at) > stale_after;
-    if (is_stale)
+    const bool begins   = generated_at.size() == 0;
+    const bool is_stale = !begins && system.motion().largest_move(
+                                       state.q - generated_at) > stale_after;
+    if (begins)
+      increment.regenerate(state, problem);
+    else if (is_stale)
+      increment.generate(state, problem);
+    if (begins || is_stale)
       {
-        increment.regenerate(state, problem);
-        generated_at = state.q;
+        generated_at   = state.q;
+        limits_are_new = !begins;
+        lagged         = 0;
+        return;
       }
     if (problem.rule.friction && has_improved(state, problem))
       {
@@ -162,8 +168,6 @@ namespace fiberloom
         lagged         = 0;
         limits_are_new = true;
       }
-    else if (is_stale)
-      return;
     ScopedTimer timer(statistics.seconds.assembly);
     // Points may have slid onto other elements.
     const DofVector q = mesh.with_images(state.q);
@@ -294,7 +298,6 @@ namespace fiberloom
     step.increment = system.gather(step.solution);
     step.response  = system.matrix().times(step.solution);
     step.slope     = -dot(gradient, step.solution);
-    step.curvature = dot(step.response, step.solution);
     step.move      = system.motion().largest_move(step.increment);
   }
 
@@ -405,20 +408,28 @@ namespace fiberloom
 
 
   Newton::Reached
+  Newton::at(const State   &state,
+             const Problem &problem,
+             const Step    &step,
+             const double   factor) const
+  {
+    ScopedTimer timer(statistics.seconds.assembly);
+    Reached     there;
+    there.factor = factor;
+    there.state  = moved(state, step.increment, factor);
+    there.energy = energy(state, there.state, problem);
+    return there;
+  }
+
+
+
+  Newton::Reached
   Newton::search(const State   &state,
                  const Problem &problem,
                  const Step    &step,
                  const double   here)
   {
-    ScopedTimer timer(statistics.seconds.assembly);
-    const auto  at = [&](const double factor) {
-      Reached there;
-      there.factor = factor;
-      there.state  = moved(state, step.increment, factor);
-      there.energy = energy(state, there.state, problem);
-      return there;
-    };
-    Reached    found     = at(longest(step));
+    Reached    found     = at(state, problem, step, longest(step));
     const auto goes_down = [&]() {
       // Where energies are the same but for rounding, slopes decide.
       return std::abs(found.energy - here) <= rounding * std::abs(here) ?
@@ -431,24 +442,35 @@ namespace fiberloom
         const double parabola =
           -.5 * step.slope * found.factor * found.factor /
           (found.energy - here - step.slope * found.factor);
-        found =
-          at(found.factor *
-             (std::isfinite(parabola) ?
-                std::clamp(parabola / found.factor, shortest, longest_cut) :
-                shortest));
+        const double cut =
+          std::isfinite(parabola) ?
+            std::clamp(parabola / found.factor, shortest, longest_cut) :
+            shortest;
+        found = at(state, problem, step, found.factor * cut);
       }
     found.cuts = cuts;
-    // A model that is too stiff asks for too short a step.
+    return found;
+  }
+
+
+
+  void
+  Newton::lengthen(const State   &state,
+                   const Problem &problem,
+                   const Step    &step,
+                   const double   here,
+                   Reached       &found)
+  {
     const double furthest = largest_move > 0 ? largest_move : 1;
-    while (cuts == 0 && 2 * found.factor * step.move < furthest &&
+    while (found.cuts == 0 && 2 * found.factor * step.move < furthest &&
            here - found.energy > -good_model * step.slope * found.factor)
       {
-        Reached longer = at(2 * found.factor);
+        Reached longer = at(state, problem, step, 2 * found.factor);
+        correct(state, problem, step, longer);
         if (!(longer.energy < found.energy))
-          break;
+          return;
         found = std::move(longer);
       }
-    return found;
   }
 
 
@@ -470,22 +492,22 @@ namespace fiberloom
             taken = &other;
           }
       }
-    const double factor = found.factor;
-    found.energy =
-      correct(state, problem, *taken, factor, found.energy, found.state);
+    correct(state, problem, *taken, found);
+    lengthen(state, problem, *taken, here, found);
 
-    const double modelled = std::min(1., factor);
-    const double predicted =
-      -modelled * (taken->slope + .5 * modelled * taken->curvature);
-    const double actual = predicted > 0 ? (here - found.energy) / predicted : 0;
+    // Of a parabola whose lowest point is where the step ends.
+    const double part     = std::min(1., found.factor);
+    const double promised = -taken->slope * part * (1 - .5 * part);
+    const double actual   = promised > 0 ? (here - found.energy) / promised : 0;
     // Where fibers have bounds, these see to it that no step is too long.
     if (found.cuts > 1 || (!is_bounded && actual < poor_model))
       damping = std::max(largest_change * damping, least_damping);
     else if (found.cuts == 0 && full == 1 &&
              (is_bounded || actual > good_model))
       damping = damping > least_damping ? damping / largest_change : 0;
-    trusted          = factor >= 1 && actual > poor_model;
-    last_factor      = factor;
+    trusted = found.factor >= 1 && actual > poor_model &&
+              (!is_bounded || actual < 1 + trusted_error);
+    last_factor      = found.factor;
     state.q          = std::move(found.state.q);
     state.placements = std::move(found.state.placements);
   }
@@ -495,6 +517,7 @@ namespace fiberloom
   double
   Newton::slope(const State &there, const Problem &problem, const Step &step)
   {
+    ScopedTimer                 timer(statistics.seconds.assembly);
     std::vector<ContactElement> contacts = increment.contacts;
     system.assemble_residual(there, problem.targets, contacts);
     return dot(system.free_residual(), step.solution);
@@ -502,27 +525,24 @@ namespace fiberloom
 
 
 
-  double
+  void
   Newton::correct(const State   &state,
                   const Problem &problem,
                   const Step    &step,
-                  const double   factor,
-                  const double   energy_before,
-                  State         &there)
+                  Reached       &there)
   {
-    double          lowest = energy_before;
-    Eigen::VectorXd total  = factor * step.increment;
+    Eigen::VectorXd total = there.factor * step.increment;
     for (unsigned int k = 0; k < most_corrections; ++k)
       {
         // What the linear model of the step does not explain.
         std::vector<ContactElement> contacts = increment.contacts;
         {
           ScopedTimer timer(statistics.seconds.assembly);
-          system.assemble_residual(there, problem.targets, contacts);
+          system.assemble_residual(there.state, problem.targets, contacts);
         }
         std::vector<double> defect = system.free_residual(), solution;
         for (unsigned int i = 0; i < defect.size(); ++i)
-          defect[i] = factor * step.response[i] - gradient[i] - defect[i];
+          defect[i] = there.factor * step.response[i] - gradient[i] - defect[i];
         LinearSolver::Outcome outcome;
         {
           ScopedTimer timer(statistics.seconds.linear_solver);
@@ -543,16 +563,15 @@ namespace fiberloom
             const Eigen::VectorXd way     = total + part * correction.increment;
             State                 next    = moved(state, way, 1);
             const double          reached = energy(state, next, problem);
-            if (!(reached < lowest))
+            if (!(reached < there.energy))
               continue;
-            lowest = reached;
-            there  = std::move(next);
-            total  = way;
+            there.energy = reached;
+            there.state  = std::move(next);
+            total        = way;
             break;
           }
         if (part < poor_model)
-          break;
+          return;
       }
-    return lowest;
   }
 } // namespace fiberloom

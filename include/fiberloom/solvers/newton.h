@@ -89,6 +89,10 @@ namespace fiberloom
     static constexpr double largest_change = 10, shortest = 1 / largest_change,
                             longest_cut = .5;
 
+    // Where fibers may buckle, an energy that falls by more than this part
+    // beyond what was promised does not have a minimum nearby.
+    static constexpr double trusted_error = longest_cut;
+
     // A model is poor where less than this part of what it promises comes true,
     // and good where at most this part is missing.
     static constexpr double poor_model = .25, good_model = 1 - poor_model;
@@ -105,10 +109,9 @@ namespace fiberloom
     {
       std::vector<double> solution; // of the linear system
       Eigen::VectorXd     increment;
-      std::vector<double> response;      // of the system's matrix
-      double              slope     = 0; // of the energy along it [N mm]
-      double              curvature = 0; // of its model [N mm]
-      double              move      = 0; // largest, over the radius
+      std::vector<double> response;  // of the system's matrix
+      double              slope = 0; // of the energy along it [N mm]
+      double              move  = 0; // largest, over the radius
     };
 
     /** Where a line search ends. */
@@ -144,6 +147,8 @@ namespace fiberloom
     void
     measure(const Problem &problem);
 
+    /** Contacts at this state. The first ones keep limits and planes of
+     * friction of those that were there. */
     void
     refresh(State &state, const Problem &problem);
 
@@ -223,6 +228,13 @@ namespace fiberloom
     void
     follow_motion(State &state, const Problem &problem, const Step &step);
 
+    /** What @p factor times @p step reaches. */
+    Reached
+    at(const State   &state,
+       const Problem &problem,
+       const Step    &step,
+       const double   factor) const;
+
     /** Along @p step until the energy is below @p here [N mm]. */
     Reached
     search(const State   &state,
@@ -238,15 +250,22 @@ namespace fiberloom
     double
     slope(const State &there, const Problem &problem, const Step &step);
 
-    /** Adds corrections to @p moved as long as they lower its energy, which is
-     * returned. */
-    double
+    /** Adds corrections to what @p step reached as long as they lower the
+     * energy. */
+    void
     correct(const State   &state,
             const Problem &problem,
             const Step    &step,
-            const double   factor,
-            const double   energy,
-            State         &moved);
+            Reached       &there);
+
+    /** Twice as far along @p step , corrected, as long as the energy falls as
+     * if it had no minimum. */
+    void
+    lengthen(const State   &state,
+             const Problem &problem,
+             const Step    &step,
+             const double   here,
+             Reached       &found);
 
     /** @p state moved by @p factor times @p increment . */
     State
