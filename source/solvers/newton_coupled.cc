@@ -48,7 +48,7 @@ namespace fiberloom
       {
         const auto kept   = increment.all_contacts();
         double     factor = std::min(1., stale_after / step.move);
-        for (; factor >= poor_model; factor *= longest_cut)
+        for (; factor >= shortest; factor *= longest_cut)
           {
             CoupledStep there;
             there.state    = state;
