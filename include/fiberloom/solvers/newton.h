@@ -24,10 +24,10 @@ namespace fiberloom
    * it is followed by corrections with the factor at hand, which lead back to
    * its floor, and contacts that a step would close take part in it. Where the
    * Hessian is indefinite, that of contacts loses what makes it so, without
-   * friction that of fibers, too, and no fiber goes further than its own
-   * bound. Where they are new, friction's limits follow
-   * the normal forces within the linear system, as long as the residual or the
-   * steps that are left get smaller.
+   * friction that of fibers, too, and no fiber goes further than its own bound.
+   * Where they are new, friction's limits follow the normal forces within the
+   * linear system, as long as the residual or the steps that are left get
+   * smaller.
    */
   class Newton
   {
