@@ -86,10 +86,10 @@ def stages(directory):
     return summary["converged"], summary["stages"]
 
 
-def differs(one, other, tolerance):
+def differs(one, other, tolerance, negligible=1e-9):
     if one is None or other is None:
         return one is not other
-    return abs(one - other) > tolerance * max(abs(one), abs(other)) + 1e-9
+    return abs(one - other) > tolerance * max(abs(one), abs(other)) + negligible
 
 
 def check_summary(straight, directory, tolerance):
@@ -100,8 +100,8 @@ def check_summary(straight, directory, tolerance):
     pairs = list(zip(before, after))
     check("  penetration", not any(differs(a["largest_penetration_over_radius"], b["largest_penetration_over_radius"],
                                            100 * tolerance) for a, b in pairs))
-    # The few iterations of an estimate take what the tolerance leaves for an error.
-    check("  estimated error", not any(differs(a["estimated_error"][part], b["estimated_error"][part], .05)
+    # The few iterations of an estimate take what the tolerance leaves for an error, at most that of a draft.
+    check("  estimated error", not any(differs(a["estimated_error"][part], b["estimated_error"][part], .05, 1e-3)
                                        for a, b in pairs for part in a["estimated_error"]))
 
 

@@ -148,15 +148,14 @@ namespace fiberloom
   void
   Newton::refresh(State &state, const Problem &problem)
   {
-    const bool begins   = generated_at.size() == 0;
-    const bool is_stale = !begins && system.motion().largest_move(
-                                       state.q - generated_at) > stale_after;
-    if (begins)
-      increment.regenerate(state, problem);
-    else if (is_stale)
-      increment.generate(state, problem);
-    if (begins || is_stale)
+    const bool begins = generated_at.size() == 0;
+    if (begins ||
+        system.motion().largest_move(state.q - generated_at) > stale_after)
       {
+        if (begins)
+          increment.regenerate(state, problem);
+        else
+          increment.generate(state, problem);
         generated_at   = state.q;
         limits_are_new = !begins;
         lagged         = 0;
