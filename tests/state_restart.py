@@ -6,7 +6,9 @@
 import os
 import shutil
 import signal
+import subprocess
 import sys
+import time
 
 from program_runs import SCENES, SMALL_WEAVE, check, check_same, command, curve, finish, interrupt, n_rows, run
 
@@ -53,6 +55,25 @@ def check_stop_at_once():
     check_same_files("straight_1", "at_once")
 
 
+def check_coarse_start():
+    """Killed once the coarser meshes of a weave have come to rest, before its only increment."""
+    finer = ["Stages=weave, relax", "Fabric/Warp/Elements per fiber=24"]
+    check("finer", run(SMALL_WEAVE, "finer", *finer).returncode == 0)
+    shutil.rmtree("coarse", ignore_errors=True)
+    checkpoint = os.path.join("coarse", "checkpoint")
+    process = subprocess.Popen(command(SMALL_WEAVE, "coarse", *finer),
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    while process.poll() is None and not os.path.exists(checkpoint):
+        time.sleep(.001)
+    process.kill()
+    process.wait()
+    check("  killed before it is woven", os.path.exists(checkpoint) and n_rows("coarse") == 0)
+    again = run(SMALL_WEAVE, "coarse", *finer, restart=checkpoint)
+    check(f"  restarted: status {again.returncode} {again.stderr}", again.returncode == 0)
+    check("  without the coarser meshes", "elements first" not in again.stdout)
+    check_same_files("finer", "coarse")
+
+
 def check_lists():
     """Which stages a restart does, by what the checkpoint has behind it."""
     check("woven", run(SMALL_WEAVE, "woven", "Stages=weave, relax").returncode == 0)
@@ -97,6 +118,7 @@ def main():
     check_restart("stop", "stop", 4, ranks=2)
     check_stop_at_once()
     check_memory()
+    check_coarse_start()
     check_lists()
     finish()
 

@@ -89,7 +89,7 @@ namespace fiberloom
       checkpoint_magic.size() + 3 * sizeof(std::uint64_t);
 
     // to be raised with every change of what is serialised
-    constexpr std::uint64_t checkpoint_version = 7;
+    constexpr std::uint64_t checkpoint_version = 8;
 
     // Two million nodes take a twentieth.
     constexpr std::uintmax_t most_bytes = 20000000000;

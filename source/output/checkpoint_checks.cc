@@ -73,6 +73,28 @@ namespace fiberloom
       return true;
     }
 
+    /** Sorted lists are searched by halving. */
+    void
+    check_order(const ContactState &contact)
+    {
+      const auto by_fibers = [](const auto &a, const auto &b) {
+        return a.fibers < b.fibers;
+      };
+      demand(std::is_sorted(contact.zones.begin(),
+                            contact.zones.end(),
+                            by_fibers) &&
+               std::is_sorted(contact.history.begin(),
+                              contact.history.end(),
+                              by_fibers) &&
+               std::is_sorted(contact.plates.begin(),
+                              contact.plates.end(),
+                              [](const auto &a, const auto &b) {
+                                return std::make_pair(a.fiber, a.u) <
+                                       std::make_pair(b.fiber, b.u);
+                              }),
+             "an order of contacts");
+    }
+
     void
     check_contact(const ContactState &contact, const FiberMesh &mesh)
     {
@@ -98,6 +120,7 @@ namespace fiberloom
                             mesh) &&
                  is_near(Vector3(entry.slip[0], entry.slip[1], 0)),
                "a slip on a plate");
+      check_order(contact);
     }
 
     void
@@ -110,28 +133,6 @@ namespace fiberloom
                  is_within(entry.strain, 0, largest_number) &&
                  is_near(entry.place),
                "a break of a fiber");
-    }
-
-    /** Sorted lists are searched by halving. */
-    void
-    check_order(const ContactState &contact)
-    {
-      const auto by_fibers = [](const auto &a, const auto &b) {
-        return a.fibers < b.fibers;
-      };
-      demand(std::is_sorted(contact.zones.begin(),
-                            contact.zones.end(),
-                            by_fibers) &&
-               std::is_sorted(contact.history.begin(),
-                              contact.history.end(),
-                              by_fibers) &&
-               std::is_sorted(contact.plates.begin(),
-                              contact.plates.end(),
-                              [](const auto &a, const auto &b) {
-                                return std::make_pair(a.fiber, a.u) <
-                                       std::make_pair(b.fiber, b.u);
-                              }),
-             "an order of contacts");
     }
 
     std::size_t
@@ -204,8 +205,11 @@ namespace fiberloom
       demand(state.previous.q.size() == 0 ||
                state.previous.placements.size() == state.placements.size(),
              "a number of bodies");
+      demand(state.coarse.q.size() == 0 ||
+               state.coarse.q.size() == state.q.size(),
+             "a number of unknowns");
       demand(is_near(state.q) && is_near(state.stage_start_q) &&
-               is_near(state.previous.q),
+               is_near(state.previous.q) && is_near(state.coarse.q),
              "a position");
     }
 
@@ -257,7 +261,8 @@ namespace fiberloom
     check_placements(state.stage_start_placements);
     check_placements(state.previous.placements);
     check_contact(state.contact, mesh.with_images());
-    check_order(state.contact);
+    check_placements(state.coarse.placements);
+    check_contact(state.coarse.contact, mesh.with_images());
     check_breaks(state.fibers, mesh);
     check_progress(state);
     for (const StageStatistics &statistics : checkpoint.stages)

@@ -330,6 +330,19 @@ namespace fiberloom
 
 
   void
+  OutputWriter::keep(const State &state, const StageStatistics &so_far)
+  {
+    const SecondsGuard guard(output_seconds);
+    if (parameters.output.only_summary ||
+        parameters.output.checkpoint_every == 0 || parameters.is_preview())
+      return;
+    record(state.stage, so_far);
+    save(state);
+  }
+
+
+
+  void
   OutputWriter::save(const State &state)
   {
     log.synchronise();

@@ -455,8 +455,9 @@ namespace fiberloom
         const Scene        scene{parameters, fibers, mesh, composite.get()};
         const auto         stage = create_stage(name, scene);
         StageStatistics    statistics;
-        statistics.name      = name;
-        const bool under_way = state.increment > 0 || state.step > 0;
+        statistics.name = name;
+        const bool under_way =
+          state.increment > 0 || state.step > 0 || state.coarse.q.size() > 0;
         if (under_way && restart.stages.size() > restart.state.stage)
           statistics = restart.stages[restart.state.stage];
 
@@ -486,7 +487,12 @@ namespace fiberloom
                 estimated = [&](const State &before, const State &reached) {
                   estimate(scene, before, reached, statistics, stop);
                 };
-              run.run(state, std::ref(writer), estimated);
+              run.run(state,
+                      std::ref(writer),
+                      estimated,
+                      [&](const State &begun) {
+                        writer.keep(begun, statistics);
+                      });
               before_last = run.before_last();
             }
             // A way that turns has been farther from its start before.

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace fiberloom
 {
@@ -117,6 +118,10 @@ namespace fiberloom
       throw InputError("stage " + name +
                        " was begun with other rigid bodies, "
                        "by another version: restart from a checkpoint before");
+    if (state.coarse.q.size() > 0 &&
+        state.coarse.placements.size() != supports.bodies.size())
+      throw InputError("stage " + name +
+                       " was begun on coarser meshes with other rigid bodies");
   }
 
 
@@ -124,12 +129,15 @@ namespace fiberloom
   void
   StageRun::run(State                   &state,
                 const IncrementObserver &observer,
-                const Estimate          &estimate)
+                const Estimate          &estimate,
+                const Keep              &keep)
   {
     ScopedTimer timer(statistics.seconds.wall);
     load_at_start = state.load;
     if (!is_begun(state))
       {
+        if (start_on_coarser_meshes(state) && keep)
+          keep(state);
         // Interrupted here, the stage has to begin anew: keep the state apart.
         State      first   = begun(state);
         const bool arrived = take_fast_path(first);
@@ -153,7 +161,8 @@ namespace fiberloom
   StageRun::run_fast(State &state)
   {
     ScopedTimer timer(statistics.seconds.wall);
-    State       first = begun(state);
+    start_on_coarser_meshes(state);
+    State first = begun(state);
     if (!take_fast_path(first))
       return false;
     state = std::move(first);
@@ -176,24 +185,38 @@ namespace fiberloom
 
 
   bool
+  StageRun::start_on_coarser_meshes(State &state)
+  {
+    // The coarse fibers start where they are made, so these have to be there.
+    if (!stage.starts_coarsely() || !state.stages_done.empty() ||
+        state.coarse.q.size() > 0)
+      return false;
+    const auto coarse = start_coarsely(scene,
+                                       name,
+                                       statistics,
+                                       log,
+                                       system.layout().communicator(),
+                                       stop_requested);
+    if (coarse)
+      state.coarse = {coarse->q, coarse->placements, coarse->contact};
+    return coarse.has_value();
+  }
+
+
+
+  bool
   StageRun::take_fast_path(State &state)
   {
-    State found = state;
-    bool  there = false;
-    // The coarse fibers start where they are made, so these have to be there.
-    if (stage.starts_coarsely() && state.stages_done.empty())
-      if (const auto coarse = start_coarsely(scene,
-                                             name,
-                                             statistics,
-                                             log,
-                                             system.layout().communicator(),
-                                             stop_requested))
-        {
-          found.q          = coarse->q;
-          found.placements = coarse->placements;
-          found.contact    = coarse->contact;
-          there            = stage.settle(found, state, equilibrium);
-        }
+    const CoarseRest coarse = std::exchange(state.coarse, {});
+    State            found  = state;
+    bool             there  = false;
+    if (stage.starts_coarsely() && coarse.q.size() > 0)
+      {
+        found.q          = coarse.q;
+        found.placements = coarse.placements;
+        found.contact    = coarse.contact;
+        there            = stage.settle(found, state, equilibrium);
+      }
     if (!there && !stage.take_fast_path(found, state, equilibrium))
       return false;
     accept(state, std::move(found), 1);

@@ -31,6 +31,17 @@ namespace fiberloom
 
 
 
+  /** Where a stage that starts on coarser meshes goes on from, carried over
+   * from them; nowhere where q is empty. */
+  struct CoarseRest
+  {
+    DofVector              q;
+    std::vector<Placement> placements;
+    ContactState           contact;
+  };
+
+
+
   /**
    * Everything that changes over an increment. A copy of it is a commit, the
    * assignment of that copy a rollback; two runs with equal states go on
@@ -47,7 +58,8 @@ namespace fiberloom
     ContactState           contact;
     FiberHistory           fibers;
 
-    Past previous; // one increment ago, to extrapolate from
+    Past       previous; // one increment ago, to extrapolate from
+    CoarseRest coarse;   // of a stage without an increment
 
     unsigned int stage     = 0; // index into the stages of the scene
     unsigned int increment = 0; // accepted in the stage
@@ -73,6 +85,7 @@ namespace fiberloom
       work      = 0;
       reactions.clear();
       previous.q.resize(0);
+      coarse = {};
     }
 
     /** Empty after the last one. */
@@ -86,7 +99,7 @@ namespace fiberloom
     void
     serialize(Archive &ar, const unsigned int)
     {
-      for (DofVector *dofs : {&q, &stage_start_q, &previous.q})
+      for (DofVector *dofs : {&q, &stage_start_q, &previous.q, &coarse.q})
         {
           auto n = dofs->size();
           ar  &n;
@@ -96,11 +109,11 @@ namespace fiberloom
         }
       ar                                     &matrix;
       ar &placements &stage_start_placements &contact;
-      ar &previous.placements          &previous.load;
-      ar &stage &increment &load &step &dissipation;
-      ar &stages_done &scene_stages    &fibers;
-      auto                              n = reactions.size();
-      ar                               &n;
+      ar &previous.placements &previous.load &coarse.placements &coarse.contact;
+      ar &stage &increment &load &step                          &dissipation;
+      ar &stages_done &scene_stages                             &fibers;
+      auto n = reactions.size();
+      ar  &n;
       reactions.resize(n);
       for (BodyVector &reaction : reactions)
         for (double &value : reaction)

@@ -103,6 +103,11 @@ namespace fiberloom
     void
     end_stage(const State &state);
 
+    /** Writes the checkpoint of a stage that has no increment yet, with what
+     * its statistics are so far; not where no increment has one. */
+    void
+    keep(const State &state, const StageStatistics &so_far);
+
     /** Writes the checkpoint now, as for a stage that fails or is stopped. */
     void
     save(const State &state);

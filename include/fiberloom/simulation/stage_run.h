@@ -43,8 +43,12 @@ namespace fiberloom
     using Estimate =
       std::function<void(const State &before, const State &reached)>;
 
+    /** Is given what a run can go on from before its first increment. */
+    using Keep = std::function<void(const State &)>;
+
     /**
-     * @p observer sees each accepted state. Where the way of a test is farthest
+     * @p observer sees each accepted state, @p keep the one that coarser meshes
+     * lead to. Where the way of a test is farthest
      * from its start and goes on, @p estimate is called, if there is one, with
      * the increment that leads there. Throws StageFailure when even the
      * smallest increment fails and StopRequested on request, with the last
@@ -53,7 +57,8 @@ namespace fiberloom
     void
     run(State                   &state,
         const IncrementObserver &observer,
-        const Estimate          &estimate = {});
+        const Estimate          &estimate = {},
+        const Keep              &keep     = {});
 
     /** From the start to the end of the stage by its fast path alone. False,
      * with @p state as it was, where that does not lead there. Throws
@@ -73,6 +78,10 @@ namespace fiberloom
     /** @p state at the start of the stage. */
     State
     begun(const State &state) const;
+
+    /** Whether this has found where @p state can go on from. */
+    bool
+    start_on_coarser_meshes(State &state);
 
     bool
     take_fast_path(State &state);
