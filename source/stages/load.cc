@@ -5,6 +5,8 @@
 #include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
+#include <fiberloom/contact/line_weights.h>
+
 #include <fiberloom/coupling/hold.h>
 
 #include <fiberloom/stages/load.h>
@@ -302,7 +304,9 @@ namespace fiberloom
 
     length_of_node.assign(scene.mesh.n_nodes(), 0.);
     mass_of_node.assign(scene.mesh.n_nodes(), 0.);
-    const dealii::QGauss<1> rule(3);
+    // By the weights of contact, so that an even load is in balance with an
+    // even pressure; they are not polynomials of an element.
+    const dealii::QIterated<1> rule(dealii::QGauss<1>(4), 20);
     for (const unsigned int fiber :
          find_fibers(scene.parameters.load.loaded_fibers, scene.fibers))
       {
@@ -314,17 +318,17 @@ namespace fiberloom
             {
               const ElementPoint point{line.first_element + e,
                                        2 * rule.point(g)[0] - 1};
-              const auto         N = shape_values(point.xi);
+              const LineWeights  weights(line, e + rule.point(g)[0]);
               const double       length =
                 rule.weight(g) *
                 scene.mesh.section(scene.mesh.reference(), point)
                   .center_derivative.norm();
-              for (unsigned int a = 0; a < 3; ++a)
+              for (unsigned int a = 0; a < weights.n; ++a)
                 {
-                  const unsigned int node =
-                    scene.mesh.first_node(point.element) + a;
-                  length_of_node[node] += N[a] * length;
-                  mass_of_node[node] += N[a] * length * mass_per_length;
+                  const unsigned int node = weights.first_node + a;
+                  length_of_node[node] += weights.value[a] * length;
+                  mass_of_node[node] +=
+                    weights.value[a] * length * mass_per_length;
                 }
             }
       }
