@@ -268,4 +268,4 @@ def mesh(run):
 ROWS = {"contrast": contrast, "slenderness": slenderness, "element length": element_length, "penalty": penalty,
         "friction": friction, "angle": crossing_angle, "overlap": overlap, "place": exact_place,
         "increments": increments, "mesh": mesh}
-QUICK = ("slenderness", "overlap", "place")
+QUICK = ("slenderness", "penalty", "overlap", "place")
