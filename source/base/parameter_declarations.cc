@@ -378,7 +378,7 @@ namespace fiberloom
         "precision (a quarter), blocks, in a composite a factor of the fibers "
         "and one of the matrix, or multigrid for what has no room for a "
         "factor. automatic: a double factor, from 20,000 dofs on a single "
-        "one, from 100,000 on rigid sections.",
+        "one, from 60,000 on rigid sections.",
         Allowed::one_of(
           "automatic|double factor|single factor|rigid sections|blocks|multigrid"));
       catalogue.add("Benchmark",
