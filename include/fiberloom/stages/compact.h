@@ -4,6 +4,8 @@
 #ifndef fiberloom_stages_compact_h
 #define fiberloom_stages_compact_h
 
+#include <fiberloom/base/parameters.h>
+
 #include <fiberloom/stages/stage.h>
 
 namespace fiberloom
