@@ -167,9 +167,10 @@ namespace fiberloom
              const Problem  &problem,
              const Curvature curvature);
 
-    /** False where the matrix stays indefinite or the step is not finite. */
+    /** What contacts that @p step closes make of it; false where it is not
+     * finite. */
     bool
-    find_step(const State &state, const Problem &problem, Step &step);
+    predict(const State &state, const Problem &problem, Step &step);
 
     /** By the tangent as it is, or by one that is nearly definite. */
     void
