@@ -83,20 +83,15 @@ namespace fiberloom
             continue;
           }
         Step step;
-        if (n == most || !std::isfinite(residual))
+        if (n == most || !std::isfinite(residual) ||
+            !find_step(state, problem, step))
           return false;
         ++n;
         ++statistics.newton_iterations;
-        is_bounded = largest_move > 0 && !problem.rule.friction && !moves;
-        solve_first(state, problem, step);
         limits_are_new = !moves && take_coupled_step(state, problem);
-        if (limits_are_new)
-          continue;
-        if (!predict(state, problem, step))
-          return false;
         if (moves)
           follow_motion(state, problem, step);
-        else
+        else if (!limits_are_new)
           descend(state, problem, step);
       }
   }
@@ -353,9 +348,12 @@ namespace fiberloom
 
 
   bool
-  Newton::predict(const State &state, const Problem &problem, Step &step)
+  Newton::find_step(const State &state, const Problem &problem, Step &step)
   {
-    other             = Step();
+    other      = Step();
+    is_bounded = largest_move > 0 && !problem.rule.friction &&
+                 !system.motion().moves(state, problem.targets);
+    solve_first(state, problem, step);
     const bool is_far = is_bounded && step.move > largest_move;
 
     ContactPrediction prediction(

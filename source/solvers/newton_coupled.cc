@@ -67,7 +67,6 @@ namespace fiberloom
           }
         increment.take_back(kept);
       }
-    assemble(state, problem, Curvature::exact);
     if (coupled_since > 0)
       coupled_below = coupled_since;
     coupled_since = 0;

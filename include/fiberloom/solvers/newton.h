@@ -167,10 +167,9 @@ namespace fiberloom
              const Problem  &problem,
              const Curvature curvature);
 
-    /** What contacts that @p step closes make of it; false where it is not
-     * finite. */
+    /** False where the matrix stays indefinite or the step is not finite. */
     bool
-    predict(const State &state, const Problem &problem, Step &step);
+    find_step(const State &state, const Problem &problem, Step &step);
 
     /** By the tangent as it is, or by one that is nearly definite. */
     void
