@@ -11,7 +11,7 @@ namespace fiberloom
   namespace
   {
     // Half of the length on which polynomials are blended, over that of an
-    // element: so short that few contacts take part in the nodes of two of them.
+    // element: short, as a contact there couples the nodes of both.
     constexpr double blended = .05;
 
     /** Those of element @p e at @p u , from where the pointers lead. */
