@@ -20,8 +20,8 @@ namespace fiberloom
     // the scene.
     constexpr double softer = 4, looser = 100, deepest = .5;
 
-    /** Half as many elements, and softer contact; whether that still shows each
-     * crossing. */
+    /** Half as many elements, or as few as still show each crossing, and softer
+     * contact; whether that makes fewer of them. */
     bool
     coarsen(Parameters &parameters)
     {
@@ -37,9 +37,10 @@ namespace fiberloom
       parameters.solver.contact_tolerance *= looser;
       FabricParameters &fabric = parameters.fabric;
       const auto halve = [](TowParameters &tows, const unsigned int crossed) {
-        tows.elements_per_fiber = (tows.elements_per_fiber + 1) / 2;
-        return tows.elements_per_fiber >=
-               TowParameters::least_elements * crossed;
+        const unsigned int all = tows.elements_per_fiber;
+        tows.elements_per_fiber =
+          std::max((all + 1) / 2, TowParameters::least_elements * crossed);
+        return tows.elements_per_fiber < all;
       };
       const bool warp = halve(fabric.warp, fabric.fill.tows),
                  fill = halve(fabric.fill, fabric.warp.tows);

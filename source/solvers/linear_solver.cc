@@ -198,6 +198,12 @@ namespace fiberloom
                       const double               tolerance)
   {
     Outcome outcome;
+    if (gave_way && was_indefinite)
+      {
+        // The finer factor found the same: the coarser one was right.
+        factor.reset();
+        use_preferred();
+      }
     relative_tolerance = tolerance;
     matrix.add_to_diagonal(damping);
 
@@ -211,7 +217,7 @@ namespace fiberloom
     if (blocks && solve_by_blocks(matrix, b, x, outcome))
       return outcome;
 
-    // From then on: what made it too coarse will be there again.
+    // What made it too coarse will be there again, unless it is the matrix.
     const auto give_way_to = [&](const DirectFactor::Precision chosen) {
       use(chosen);
       gave_way = true;
@@ -232,6 +238,7 @@ namespace fiberloom
         give_way_to(DirectFactor::Precision::double_precision);
         solve_by_current_factor();
       }
+    was_indefinite = outcome.negative_pivots > 0;
     return outcome;
   }
 

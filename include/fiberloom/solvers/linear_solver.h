@@ -156,6 +156,7 @@ namespace fiberloom
     const std::string                      name;
     double                                 relative_tolerance = 0;
     bool                                   gave_way           = false;
+    bool                                   was_indefinite     = false;
     DirectFactor::Precision                precision;
     std::unique_ptr<DirectFactor>          factor;    // or null
     std::unique_ptr<SectionPreconditioner> sections;  // or null
