@@ -16,9 +16,11 @@ namespace fiberloom
     // Contact, too, is coarser: it needs fewer stations, and what touches
     // changes less abruptly. Deeper than this, over the radius, fibers would
     // no longer stay on their sides.
-    // A weave ends at a tenth of the tolerance, this one at ten times that of
-    // the scene.
-    constexpr double softer = 4, looser = 100, deepest = .5;
+    constexpr double softer = 4, deepest = .5;
+
+    // All starts from where this one ends, which no tolerance of the scene is
+    // to decide; a weave ends at a tenth of it.
+    constexpr double coarse_tolerance = 1e-2;
 
     /** Half as many elements, or as few as still show each crossing, and softer
      * contact; whether that makes fewer of them. */
@@ -34,7 +36,8 @@ namespace fiberloom
       contact.line_stiffness /= part;
       // Where a fabric comes to rest does not depend on friction.
       contact.friction_coefficient = 0;
-      parameters.solver.contact_tolerance *= looser;
+      parameters.solver.contact_tolerance =
+        std::max(coarse_tolerance, parameters.solver.contact_tolerance);
       FabricParameters &fabric = parameters.fabric;
       const auto halve = [](TowParameters &tows, const unsigned int crossed) {
         const unsigned int all = tows.elements_per_fiber;
