@@ -169,8 +169,8 @@ namespace fiberloom
                     Allowed::whole(1, most_iterations));
       catalogue.add("Coarser meshes",
                     weaving.coarser_meshes,
-                    "Meshes on which the fast path weaves first, each with "
-                    "half as many elements as the next, but at least two for "
+                    "Meshes with half as many elements each, on which the fast "
+                    "path weaves first, as long as two elements are left for "
                     "each tow that a fiber crosses.",
                     Allowed::whole(0, 8));
       catalogue.leave_section();

@@ -16,14 +16,12 @@ namespace fiberloom
     // Contact, too, is coarser: it needs fewer stations, and what touches
     // changes less abruptly. Deeper than this, over the radius, fibers would
     // no longer stay on their sides.
-    constexpr double softer = 4, deepest = .5;
+    // A weave ends at a tenth of the tolerance, this one at ten times that of
+    // the scene.
+    constexpr double softer = 4, looser = 100, deepest = .5;
 
-    // All starts from where this one ends, which no tolerance of the scene is
-    // to decide; a weave ends at a tenth of it.
-    constexpr double coarse_tolerance = 1e-2;
-
-    /** Half as many elements, or as few as still show each crossing, and softer
-     * contact; whether that makes fewer of them. */
+    /** Half as many elements, and softer contact; whether that still shows each
+     * crossing. */
     bool
     coarsen(Parameters &parameters)
     {
@@ -36,14 +34,12 @@ namespace fiberloom
       contact.line_stiffness /= part;
       // Where a fabric comes to rest does not depend on friction.
       contact.friction_coefficient = 0;
-      parameters.solver.contact_tolerance =
-        std::max(coarse_tolerance, parameters.solver.contact_tolerance);
+      parameters.solver.contact_tolerance *= looser;
       FabricParameters &fabric = parameters.fabric;
       const auto halve = [](TowParameters &tows, const unsigned int crossed) {
-        const unsigned int all = tows.elements_per_fiber;
-        tows.elements_per_fiber =
-          std::max((all + 1) / 2, TowParameters::least_elements * crossed);
-        return tows.elements_per_fiber < all;
+        tows.elements_per_fiber = (tows.elements_per_fiber + 1) / 2;
+        return tows.elements_per_fiber >=
+               TowParameters::least_elements * crossed;
       };
       const bool warp = halve(fabric.warp, fabric.fill.tows),
                  fill = halve(fabric.fill, fabric.warp.tows);
