@@ -31,6 +31,11 @@ namespace fiberloom
     // With so much stiffer contact the penetration nearly goes.
     constexpr double stiffening = 4;
 
+    // A larger estimate is checked by half the way to that stiffness. Where
+    // both differ by more than this part of it, fibers jump from one
+    // equilibrium to another, and nothing is known of the error.
+    constexpr double checked_from = .05, largest_disagreement = .5;
+
     // Of second order: halved, a length leaves a quarter of its error.
     constexpr double of_second_order = 4. / 3;
 
@@ -260,10 +265,16 @@ namespace fiberloom
             const Outcome denser = solve_with({1, 2, 1});
             stations             = of_second_order * change(now, denser, scale);
             // The penetration goes with the error, and both are to vanish.
-            const Outcome stiffer = solve_with({1, 1, stiffening});
-            penetration           = now.penetration /
-                          (now.penetration - stiffer.penetration) *
-                          change(now, stiffer, scale);
+            const auto with = [&](const double factor) -> Eigen::ArrayXd {
+              const Outcome stiffer = solve_with({1, 1, factor});
+              return now.penetration / (now.penetration - stiffer.penetration) *
+                     change(now, stiffer, scale);
+            };
+            penetration = with(stiffening);
+            if (largest(penetration) > checked_from &&
+                largest(with(std::sqrt(stiffening)) - penetration) >
+                  largest_disagreement * largest(penetration))
+              return {};
           }
         const Eigen::ArrayXd tolerance =
           of_tolerance * change(unrefined.before, now, scale);

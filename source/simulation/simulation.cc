@@ -570,8 +570,8 @@ namespace fiberloom
           .str());
     else if (is_test)
       log.write((boost::format("%-8s no estimate of the curve's error: with "
-                               "finer settings nothing settles, or there is "
-                               "no force") %
+                               "finer settings nothing settles, fibers jump "
+                               "to another equilibrium, or there is no force") %
                  statistics.name)
                   .str());
     if (error.total > too_much)
