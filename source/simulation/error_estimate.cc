@@ -265,14 +265,15 @@ namespace fiberloom
             const Outcome denser = solve_with({1, 2, 1});
             stations             = of_second_order * change(now, denser, scale);
             // The penetration goes with the error, and both are to vanish.
-            const auto with = [&](const double factor) -> Eigen::ArrayXd {
+            const auto penetration_with =
+              [&](const double factor) -> Eigen::ArrayXd {
               const Outcome stiffer = solve_with({1, 1, factor});
               return now.penetration / (now.penetration - stiffer.penetration) *
                      change(now, stiffer, scale);
             };
-            penetration = with(stiffening);
+            penetration = penetration_with(stiffening);
             if (largest(penetration) > checked_from &&
-                largest(with(std::sqrt(stiffening)) - penetration) >
+                largest(penetration_with(std::sqrt(stiffening)) - penetration) >
                   largest_disagreement * largest(penetration))
               return {};
           }
