@@ -402,7 +402,7 @@ namespace fiberloom
                       with_tangent && mine ? &friction.tangent : nullptr);
     if (mine)
       scatter<with_tangent>(state, friction, seen_nodes);
-    if (with_tangent && mine && active && couples_limits)
+    if (with_tangent && mine && active)
       couple_limit(state, contact, friction, normal);
   }
 

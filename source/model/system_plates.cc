@@ -139,7 +139,7 @@ namespace fiberloom
     friction_on_plates[normal.number].evaluate(
       normal.section, group.gradient, with_tangent ? &group.hessian : nullptr);
     scatter<with_tangent>(state, group, mesh.originals());
-    if (with_tangent && couples_limits && !normal.gradient.isZero(0))
+    if (with_tangent && !normal.gradient.isZero(0))
       couple_plate_limit(state, normal, group);
   }
 

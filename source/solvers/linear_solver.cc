@@ -289,6 +289,29 @@ namespace fiberloom
 
 
 
+  void
+  LinearSolver::factorize(BlockMatrix           &matrix,
+                          const Eigen::VectorXd &q,
+                          Outcome               &outcome)
+  {
+    if (multigrid)
+      return;
+    {
+      ScopedTimer timer(outcome.analysis);
+      if (sections)
+        sections->analyse(matrix, q);
+      else
+        factor->analyse(matrix);
+    }
+    constexpr double dropped = 0;
+    timed(outcome, [&]() {
+      return sections ? sections->factorize(matrix, dropped) :
+                        factor->factorize(matrix);
+    });
+  }
+
+
+
   bool
   LinearSolver::solve_by_sections(BlockMatrix           &matrix,
                                   const Eigen::VectorXd &q,

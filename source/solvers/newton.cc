@@ -83,15 +83,20 @@ namespace fiberloom
             continue;
           }
         Step step;
-        if (n == most || !std::isfinite(residual) ||
-            !find_step(state, problem, step))
+        if (n == most || !std::isfinite(residual))
           return false;
         ++n;
         ++statistics.newton_iterations;
+        is_bounded = largest_move > 0 && !problem.rule.friction && !moves;
+        solve_first(state, problem, step);
         limits_are_new = !moves && take_coupled_step(state, problem);
+        if (limits_are_new)
+          continue;
+        if (!predict(state, problem, step))
+          return false;
         if (moves)
           follow_motion(state, problem, step);
-        else if (!limits_are_new)
+        else
           descend(state, problem, step);
       }
   }
@@ -348,12 +353,9 @@ namespace fiberloom
 
 
   bool
-  Newton::find_step(const State &state, const Problem &problem, Step &step)
+  Newton::predict(const State &state, const Problem &problem, Step &step)
   {
-    other      = Step();
-    is_bounded = largest_move > 0 && !problem.rule.friction &&
-                 !system.motion().moves(state, problem.targets);
-    solve_first(state, problem, step);
+    other             = Step();
     const bool is_far = is_bounded && step.move > largest_move;
 
     ContactPrediction prediction(

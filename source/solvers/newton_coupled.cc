@@ -18,20 +18,21 @@ namespace fiberloom
                             const Problem &problem,
                             Step          &step)
   {
-    system.couple_limits(true);
-    assemble(state, problem, Curvature::exact);
-    system.couple_limits(false);
     ContactPrediction prediction(
       mesh, system, increment, problem, ContactPrediction::Kind::all);
     const auto predicts = [&]() {
-      const State ahead =
-        moved(state, step.increment, std::min(1., stale_after / step.move));
+      const State ahead = moved(state, step.increment, longest(step));
       ScopedTimer timer(statistics.seconds.assembly);
       return prediction.add_stiffness(state, ahead);
     };
-    bool found = solve_coupled(gradient, step);
+    last_krylov      = 0;
+    factor_is_behind = true;
+    bool found       = solve_coupled(gradient, step);
     for (unsigned int k = 0; k < most_predictions && found && predicts(); ++k)
-      found = solve_coupled(system.right_hand_side(), step);
+      {
+        factor_is_behind = true;
+        found            = solve_coupled(system.right_hand_side(), step);
+      }
     return found;
   }
 
@@ -47,7 +48,7 @@ namespace fiberloom
     if (find_coupled_step(state, problem, step))
       {
         const auto kept   = increment.all_contacts();
-        double     factor = std::min(1., stale_after / step.move);
+        double     factor = longest(step);
         for (; factor >= shortest; factor *= longest_cut)
           {
             CoupledStep there;
@@ -67,6 +68,7 @@ namespace fiberloom
           }
         increment.take_back(kept);
       }
+    assemble(state, problem, Curvature::exact);
     if (coupled_since > 0)
       coupled_below = coupled_since;
     coupled_since = 0;
@@ -89,7 +91,8 @@ namespace fiberloom
       value = -value;
     return solve_coupled(defect, there.next) &&
            (there.next.move < shorter * step.move ||
-            there.residual < shorter * before ||
+            (there.residual < shorter * before &&
+             there.next.move < largest_move) ||
             there.residual < increment.tolerance());
   }
 
@@ -99,7 +102,7 @@ namespace fiberloom
   Newton::correct_coupled(CoupledStep &there, const Problem &problem)
   {
     while (there.residual > increment.tolerance() &&
-           there.next.move < stale_after)
+           there.next.move < largest_move)
       {
         const auto  kept = increment.all_contacts();
         CoupledStep next;
@@ -123,12 +126,19 @@ namespace fiberloom
     bool                  found;
     {
       ScopedTimer timer(statistics.seconds.linear_solver);
+      // The one iteration of a new factor costs less than so many of this one.
+      if (factor_is_behind && last_krylov > largest_change)
+        {
+          linear_solver.factorize(system.matrix(), generated_at, outcome);
+          factor_is_behind = false;
+        }
       found = linear_solver.solve_coupled(system.matrix(),
                                           right_hand_side,
                                           rough_tolerance,
                                           step.solution,
                                           outcome);
     }
+    last_krylov = outcome.iterations;
     add(statistics, outcome);
     step.increment = system.gather(step.solution);
     step.move      = system.motion().largest_move(step.increment);

@@ -82,14 +82,6 @@ namespace fiberloom
       curvature = of_energy;
     }
 
-    /** Whether products of the tangent know that limits of friction follow the
-     * normal forces. */
-    void
-    couple_limits(const bool couple)
-    {
-      couples_limits = couple;
-    }
-
     /** Friction on plates, if there are some: particles and limits from @p
      * state , slip from what @p history is of, when fibers were at @p q_before
      * . */
@@ -339,8 +331,7 @@ namespace fiberloom
     BlockMatrix                  system_matrix;
 
     double                                 stiffness;
-    Curvature                              curvature      = Curvature::exact;
-    bool                                   couples_limits = false;
+    Curvature                              curvature = Curvature::exact;
     std::vector<std::vector<unsigned int>> element_pattern; // owned rows
 
     std::vector<double>        residual; // owned dofs

@@ -93,6 +93,11 @@ namespace fiberloom
                 std::vector<double>       &solution,
                 Outcome                   &outcome);
 
+    /** A factor of @p matrix without its outer products, definite or not,
+     * around which systems are solved again. */
+    void
+    factorize(BlockMatrix &matrix, const Eigen::VectorXd &q, Outcome &outcome);
+
     /** The same, with the outer products of @p matrix . */
     bool
     solve_coupled(BlockMatrix               &matrix,

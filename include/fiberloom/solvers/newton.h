@@ -167,9 +167,10 @@ namespace fiberloom
              const Problem  &problem,
              const Curvature curvature);
 
-    /** False where the matrix stays indefinite or the step is not finite. */
+    /** What contacts that @p step closes make of it; false where it is not
+     * finite. */
     bool
-    find_step(const State &state, const Problem &problem, Step &step);
+    predict(const State &state, const Problem &problem, Step &step);
 
     /** By the tangent as it is, or by one that is nearly definite. */
     void
@@ -303,6 +304,8 @@ namespace fiberloom
     double              coupled_below  = 0; // this residual limits may follow
     double              coupled_since  = 0; // this one they do; 0: they lag
     double              last_factor    = 1;
+    unsigned int        last_krylov    = 0; // iterations, with such limits
+    bool                factor_is_behind     = false; // the matrix
     int                 last_negative_pivots = 0;
   };
 } // namespace fiberloom
