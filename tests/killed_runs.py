@@ -28,8 +28,7 @@ TABLES = ["loading_curve.csv", "reactions.csv"]
 RUNS = [("weave", SMALL_WEAVE, [], 1e-4, TABLES, 1e-9),
         ("turning", os.path.join(SCENES, "turning_fibers.prm"), [], 1e-6, TABLES[:1], 1e-3),
         ("composite", SMALL_WEAVE, MATRIX, 1e-4, TABLES, 1e-9),
-        ("strand", os.path.join(SOURCE, "prm", "strand.prm"), ["Load/First step=0.1", "Load/Largest step=0.1"], 1e-4,
-         TABLES, 1e-9)]
+        ("strand", os.path.join(SOURCE, "prm", "strand.prm"), [], 1e-4, TABLES, 1e-9)]
 
 
 def descendants(pid):
