@@ -61,7 +61,26 @@ namespace fiberloom
       CurveRow curve;
       double   penetration = 0; // [mm]
       double   unresolved  = 0; // force that the solver leaves [N]
+      double   lever       = 0; // as long as the largest body [mm]
     };
+
+
+
+    /** Of the nodes that a body holds, the largest distance along an axis. */
+    double
+    largest_extent(const Supports &supports, const DofVector &q)
+    {
+      std::vector<Eigen::AlignedBox3d> boxes(supports.bodies.size());
+      for (const Attachment &attachment : supports.attachments)
+        boxes[attachment.body].extend(q.segment<3>(9 * attachment.node));
+      double largest = 0;
+      for (const Eigen::AlignedBox3d &box : boxes)
+        if (!box.isEmpty())
+          largest = std::max(largest, box.sizes().maxCoeff());
+      return largest;
+    }
+
+
 
     std::string
     unit(const std::string &column)
@@ -74,7 +93,9 @@ namespace fiberloom
 
     /**
      * Largest change of the columns of a unit since the stage began, forces
-     * counted from zero; units in which nothing to speak of happens are left
+     * counted from zero. Moments are about a center that might as well be
+     * elsewhere in its body: none counts for less than a force times the
+     * largest body. Units in which nothing to speak of happens are left
      * out, @p radius being that of a fiber, and forces that the
      * solver does not resolve to a thousandth.
      */
@@ -96,6 +117,8 @@ namespace fiberloom
         {"[N/mm]", 0},
         {"[mm]", radius},
         {"[rad]", 1}};
+      double &moment = largest["[N.mm]"];
+      moment         = std::max(moment, force * outcome.lever);
       std::map<std::string, double> scales;
       for (const auto &[name, value] : usual)
         if (largest[name] > least_scale * value)
@@ -200,7 +223,8 @@ namespace fiberloom
                 mean_penetration(contacts),
                 contacts.empty() ?
                   parameters.solver.newton_tolerance * system.force_scale() :
-                  0};
+                  0,
+                largest_extent(supports, state.q)};
       };
 
       Response     response{outcome(), {}};
@@ -255,7 +279,9 @@ namespace fiberloom
           return {};
         const Outcome        finer = solve_with({2, 1, 1});
         const Eigen::ArrayXd mesh = of_second_order * change(now, finer, scale);
-        Eigen::ArrayXd       matrix = Eigen::ArrayXd::Zero(mesh.size()),
+        // Of a stiffness that the scene gives, penetration is the model's.
+        const bool     of_model = scene.parameters.contact.line_stiffness > 0;
+        Eigen::ArrayXd matrix   = Eigen::ArrayXd::Zero(mesh.size()),
                        stations = matrix, penetration = matrix;
         if (scene.composite)
           matrix =
@@ -264,6 +290,9 @@ namespace fiberloom
           {
             const Outcome denser = solve_with({1, 2, 1});
             stations             = of_second_order * change(now, denser, scale);
+          }
+        if (now.penetration > 0 && !of_model)
+          {
             // The penetration goes with the error, and both are to vanish.
             const auto penetration_with =
               [&](const double factor) -> Eigen::ArrayXd {
@@ -279,13 +308,21 @@ namespace fiberloom
           }
         const Eigen::ArrayXd tolerance =
           of_tolerance * change(unrefined.before, now, scale);
+        const Eigen::ArrayXd total =
+          mesh + stations + penetration + matrix + tolerance;
+        Eigen::Index worst;
+        total.abs().maxCoeff(&worst);
+        const std::string column = now.curve[worst].first;
+        const auto        found  = scale.find(unit(column));
+        constexpr double  none   = std::numeric_limits<double>::quiet_NaN();
         return {largest(mesh),
                 largest(stations),
-                largest(penetration),
-                scene.composite ? largest(matrix) :
-                                  std::numeric_limits<double>::quiet_NaN(),
-                largest(mesh + stations + penetration + matrix + tolerance),
-                largest(tolerance)};
+                of_model ? none : largest(penetration),
+                scene.composite ? largest(matrix) : none,
+                largest(total),
+                largest(tolerance),
+                column,
+                found == scale.end() ? 0 : total[worst] * found->second};
       }
     catch (const StageFailure &)
       {

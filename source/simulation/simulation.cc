@@ -556,18 +556,21 @@ namespace fiberloom
         });
     }
     const ErrorEstimate &error = statistics.estimated_error;
+    const auto           part  = [](const std::string &name, const double of) {
+      return std::isfinite(of) ?
+                          str(boost::format(", %s %.2g %%") % name % (100 * of)) :
+                          "";
+    };
     if (std::isfinite(error.total))
-      log.write(
-        (boost::format("%-8s estimated error of the loading curve "
-                       "%.2g %%: mesh %.2g %%, stations %.2g %%, "
-                       "penetration %.2g %%%s, tolerance %.2g %%") %
-         statistics.name % (100 * error.total) % (100 * error.mesh) %
-         (100 * error.stations) % (100 * error.penetration) %
-         (std::isfinite(error.matrix) ?
-            str(boost::format(", matrix %.2g %%") % (100 * error.matrix)) :
-            "") %
-         (100 * error.tolerance))
-          .str());
+      log.write((boost::format("%-8s estimated error of the loading curve "
+                               "%.2g %%, %.2g in %s: mesh %.2g %%") %
+                 statistics.name % (100 * error.total) %
+                 std::abs(error.change) % error.column % (100 * error.mesh))
+                  .str() +
+                part("stations", error.stations) +
+                part("penetration", error.penetration) +
+                part("matrix", error.matrix) +
+                part("tolerance", error.tolerance));
     else if (is_test)
       log.write((boost::format("%-8s no estimate of the curve's error: with "
                                "finer settings nothing settles, fibers jump "

@@ -32,12 +32,14 @@ namespace fiberloom
    * where there is none. */
   struct ErrorEstimate
   {
-    double mesh        = std::numeric_limits<double>::quiet_NaN();
-    double stations    = std::numeric_limits<double>::quiet_NaN();
-    double penetration = std::numeric_limits<double>::quiet_NaN();
-    double matrix      = std::numeric_limits<double>::quiet_NaN();
-    double total       = std::numeric_limits<double>::quiet_NaN();
-    double tolerance   = std::numeric_limits<double>::quiet_NaN();
+    double      mesh        = std::numeric_limits<double>::quiet_NaN();
+    double      stations    = std::numeric_limits<double>::quiet_NaN();
+    double      penetration = std::numeric_limits<double>::quiet_NaN();
+    double      matrix      = std::numeric_limits<double>::quiet_NaN();
+    double      total       = std::numeric_limits<double>::quiet_NaN();
+    double      tolerance   = std::numeric_limits<double>::quiet_NaN();
+    std::string column      = {}; // of the curve, where the total is
+    double      change      = 0;  // of that column, in its unit
   };
 
   /** Energies where a stage's way begins or turns [N mm]. */
