@@ -357,8 +357,8 @@ namespace fiberloom
       for (const std::string &stage : parameters.stages)
         {
           const bool of_cell = stage == "compact" || stage == "stiffness";
-          const bool of_ends = stage == "coat" || stage == "shear" ||
-                               stage == "bend" || stage == "load";
+          const bool of_ends =
+            stage == "coat" || stage == "bend" || stage == "load";
           if (of_cell && !fabric.periodic)
             throw InputError(parameters.where("Stages") + ": " + stage +
                              " needs a periodic cell; allowed: with "
@@ -366,8 +366,8 @@ namespace fiberloom
           if (of_ends && fabric.periodic)
             throw InputError(parameters.where("Stages") + ": " + stage +
                              " needs tow ends, which a periodic cell has not; "
-                             "allowed: weave, relax, biaxial, compact, "
-                             "stiffness");
+                             "allowed: weave, relax, biaxial, shear, "
+                             "compact, stiffness");
         }
       if (fabric.cell_cut.size() != 2)
         throw InputError(parameters.where("Fabric/Cell cut") + ": " +

@@ -225,13 +225,16 @@ namespace fiberloom
                    .head(size);
         else
           {
-            const Vectors section = Eigen::Map<const Vectors>(node.data() + 3);
-            node += factor * increment.segment(first, size);
             if (n < mesh.n_nodes())
-              Eigen::Map<Vectors>(node.data() + 3) =
-                turned(section,
-                       factor * Eigen::Map<const Vectors>(increment.data() +
-                                                          first + 3));
+              {
+                Eigen::Map<Vectors> section(node.data() + 3);
+                section = turned(section,
+                                 factor * Eigen::Map<const Vectors>(
+                                            increment.data() + first + 3));
+              }
+            const unsigned int centered = std::min(size, 3u);
+            node.head(centered) +=
+              factor * increment.segment(first, centered);
           }
       }
     state.placements = std::move(moved);

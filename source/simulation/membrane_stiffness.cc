@@ -94,7 +94,7 @@ namespace fiberloom
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
         result.push_back(length[i] * stiffness(i, j) * length[j] /
-                         (periods[0] * periods[1]));
+                         Cell::area(scene, state.placements[Cell::body]));
     return result;
   }
 } // namespace fiberloom

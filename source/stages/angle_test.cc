@@ -4,6 +4,7 @@
 #include <fiberloom/base/parameters.h>
 
 #include <fiberloom/stages/angle_test.h>
+#include <fiberloom/stages/cell.h>
 #include <fiberloom/stages/matrix_borders.h>
 
 namespace fiberloom
@@ -61,7 +62,9 @@ namespace fiberloom
                  part         = guess_step / load_step;
     const DofVector &start    = state.stage_start_q;
     const auto       has_gone = [&](const auto &position) -> Vector3 {
-      return part * (place(position, from + step) - place(position, from));
+      return part *
+             (place(state.stage_start_placements, position, from + step) -
+              place(state.stage_start_placements, position, from));
     };
     Past past{state.q, state.placements, state.load - guess_step};
     for (const auto &line : scene.mesh.lines())
@@ -86,6 +89,14 @@ namespace fiberloom
       }
     for (Eigen::Index i = 9 * scene.mesh.n_nodes(); i < past.q.size(); i += 3)
       past.q.segment<3>(i) -= has_gone(start.segment<3>(i));
+    if (scene.fibers.cell)
+      {
+        const auto &begun = state.stage_start_placements;
+        past.placements[Cell::body].position -=
+          part * (move(begun, Cell::body, from + step).position -
+                  move(begun, Cell::body, from).position);
+        return past;
+      }
     for (unsigned int b = 0; b < past.placements.size(); ++b)
       {
         const Vector3 began     = state.stage_start_placements[b].position;

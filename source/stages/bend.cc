@@ -101,7 +101,9 @@ namespace fiberloom
 
 
   Vector3
-  Bend::place(const Vector3 &start, const double angle) const
+  Bend::place(const std::vector<Placement> &,
+              const Vector3 &start,
+              const double   angle) const
   {
     using boost::math::sinc_pi;
     const double along = start[axis], curvature = angle / length,

@@ -49,6 +49,38 @@ namespace fiberloom
             }
         return nearest;
       }
+
+      /** Stretches of both periods and the angle by which that of warp turns,
+       * where the right angle between them has closed by another: the
+       * gradient is symmetric. */
+      struct Frame
+      {
+        double warp, fill; // stretches
+        double angle;      // [rad]
+
+        double
+        warp_turn() const
+        {
+          return std::atan2(fill * std::sin(angle),
+                            warp + fill * std::cos(angle));
+        }
+      };
+
+      Frame
+      frame_of(const Scene &scene, const Placement &placement)
+      {
+        const Matrix3 F = gradient(scene, placement);
+        return {F.col(0).norm(),
+                F.col(1).norm(),
+                std::atan2(F(1, 0), F(0, 0)) + std::atan2(F(0, 1), F(1, 1))};
+      }
+
+      double
+      mean_period(const Scene &scene)
+      {
+        const auto &size = *scene.fibers.cell;
+        return std::sqrt(size[0] * size[1]);
+      }
     } // namespace
 
 
@@ -127,6 +159,62 @@ namespace fiberloom
 
 
 
+    Placement
+    sheared(const Scene &scene, const Placement &start, const double angle)
+    {
+      Frame frame = frame_of(scene, start);
+      frame.angle += angle;
+      const double turn  = frame.warp_turn();
+      const auto  &size  = *scene.fibers.cell;
+      Placement    moved = start;
+      moved.position     = {size[0] * (frame.warp * std::cos(turn) - 1),
+                            size[1] *
+                              (frame.fill * std::cos(frame.angle - turn) - 1),
+                            2 * mean_period(scene) * frame.warp * std::sin(turn)};
+      return moved;
+    }
+
+
+
+    Vector3
+    shear_rate(const Scene &scene, const Placement &placement)
+    {
+      const Frame  frame = frame_of(scene, placement);
+      const double turn = frame.warp_turn(), w = frame.warp, f = frame.fill,
+                   along = w * f * std::cos(frame.angle),
+                   rate  = (f * f + along) / (w * w + f * f + 2 * along);
+      const auto &size   = *scene.fibers.cell;
+      return {-size[0] * w * std::sin(turn) * rate,
+              -size[1] * f * std::sin(frame.angle - turn) * (1 - rate),
+              2 * mean_period(scene) * w * std::cos(turn) * rate};
+    }
+
+
+
+    Matrix3
+    gradient(const Scene &scene, const Placement &placement)
+    {
+      const PeriodicCell cell = cell_of(scene);
+      const auto         edge = [&](const double x, const double y) -> Vector3 {
+        return (cell.shift(x, y) + cell.slope(x, y) * placement.position) /
+               cell.shift(x, y).norm();
+      };
+      Matrix3 F;
+      F << edge(1, 0), edge(0, 1), Vector3::UnitZ();
+      return F;
+    }
+
+
+
+    double
+    area(const Scene &scene, const Placement &placement)
+    {
+      const auto &size = *scene.fibers.cell;
+      return size[0] * size[1] * gradient(scene, placement).determinant();
+    }
+
+
+
     double
     pull(const Tow::Family family, const std::vector<BodyVector> &reactions)
     {
@@ -140,8 +228,7 @@ namespace fiberloom
           const State                   &state,
           const std::vector<BodyVector> &reactions)
     {
-      const auto  &size  = *scene.fibers.cell;
-      const double mean  = std::sqrt(size[0] * size[1]);
+      const double mean  = mean_period(scene);
       const auto   start = periods(scene, state.stage_start_placements[body]),
                  now     = periods(scene, state.placements[body]);
       return {{"force_per_width_warp[N/mm]", reactions[body][0] / start[1]},

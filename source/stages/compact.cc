@@ -139,8 +139,7 @@ namespace fiberloom
   double
   Compact::area(const std::vector<Placement> &placements) const
   {
-    const auto periods = Cell::periods(scene, placements[Cell::body]);
-    return periods[0] * periods[1];
+    return Cell::area(scene, placements[Cell::body]);
   }
 
 

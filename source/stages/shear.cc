@@ -3,6 +3,7 @@
 
 #include <fiberloom/base/parameters.h>
 
+#include <fiberloom/stages/cell.h>
 #include <fiberloom/stages/shear.h>
 
 #include <cmath>
@@ -34,7 +35,9 @@ namespace fiberloom
   Supports
   Shear::supports(const DofVector &) const
   {
-    return TowEnds::supports(scene, 0, MatrixBorders::Grip::whole);
+    return scene.fibers.cell ?
+             Cell::supports(scene, 0) :
+             TowEnds::supports(scene, 0, MatrixBorders::Grip::whole);
   }
 
 
@@ -44,8 +47,10 @@ namespace fiberloom
               const unsigned int            body,
               const double                  angle) const
   {
+    if (scene.fibers.cell)
+      return Cell::sheared(scene, start[body], angle);
     Placement moved = start[body];
-    moved.position  = place(start[body].position, angle);
+    moved.position  = place(start, start[body].position, angle);
     moved.rotation  = Eigen::AngleAxisd(angle * half_turn(runs_along_x(body)),
                                        Vector3::UnitZ()) *
                      start[body].rotation;
@@ -55,8 +60,16 @@ namespace fiberloom
 
 
   Vector3
-  Shear::place(const Vector3 &start, const double angle) const
+  Shear::place(const std::vector<Placement> &begun,
+               const Vector3                &start,
+               const double                  angle) const
   {
+    if (scene.fibers.cell)
+      {
+        const Placement &at = begun[Cell::body];
+        return Cell::gradient(scene, Cell::sheared(scene, at, angle)) *
+               Cell::gradient(scene, at).inverse() * start;
+      }
     const double c = std::cos(.5 * angle), s = std::sin(.5 * angle);
     return {c * start.x() + s * start.y(),
             s * start.x() + c * start.y(),
@@ -77,6 +90,8 @@ namespace fiberloom
   Shear::curve(const State                   &state,
                const std::vector<BodyVector> &reactions) const
   {
+    if (scene.fibers.cell)
+      return cell_curve(state, reactions);
     // Of the bars of the frame, by the power of all bodies.
     const double c = std::cos(.5 * angle_at(state.load)),
                  s = std::sin(.5 * angle_at(state.load));
@@ -92,6 +107,20 @@ namespace fiberloom
         }
     return {{"shear_angle[rad]", angle_at(state.load)},
             {"shear_force[N]", moment / length},
+            {"shear_moment[N.mm]", moment}};
+  }
+
+
+
+  CurveRow
+  Shear::cell_curve(const State                   &state,
+                    const std::vector<BodyVector> &reactions) const
+  {
+    const Placement &placement = state.placements[Cell::body];
+    const double     moment =
+      reactions[Cell::body].head<3>().dot(Cell::shear_rate(scene, placement));
+    return {{"shear_angle[rad]", angle_at(state.load)},
+            {"shear_force[N]", moment / Cell::periods(scene, placement)[0]},
             {"shear_moment[N.mm]", moment}};
   }
 } // namespace fiberloom

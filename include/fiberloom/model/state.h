@@ -112,8 +112,8 @@ namespace fiberloom
       ar &previous.placements &previous.load &coarse.placements &coarse.contact;
       ar &stage &increment &load &step                          &dissipation;
       ar &stages_done &scene_stages                             &fibers;
-      auto n = reactions.size();
-      ar  &n;
+      Eigen::Index n = reactions.size();
+      ar          &n;
       reactions.resize(n);
       for (BodyVector &reaction : reactions)
         for (double &value : reaction)

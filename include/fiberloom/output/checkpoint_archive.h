@@ -72,7 +72,7 @@ namespace fiberloom
         fail();
     }
 
-    /** Of vectors of dofs, the only numbers of this type. */
+    /** Of vectors of numbers, the only ones of this type. */
     void
     load_override(Eigen::Index &size)
     {

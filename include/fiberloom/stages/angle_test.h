@@ -83,9 +83,11 @@ namespace fiberloom
          const double                  angle) const = 0;
 
     /** Where an even deformation by @p angle takes what was at @p start , for a
-     * first guess [mm]. */
+     * first guess [mm]; the stage began with bodies at @p begun . */
     virtual Vector3
-    place(const Vector3 &start, const double angle) const = 0;
+    place(const std::vector<Placement> &begun,
+          const Vector3                &start,
+          const double                  angle) const = 0;
 
     /** How what runs along x or, if not @p along_x , along y turns with the
      * angle where it was at @p start . */

@@ -33,7 +33,9 @@ namespace fiberloom
          const double                  angle) const override;
 
     Vector3
-    place(const Vector3 &start, const double angle) const override;
+    place(const std::vector<Placement> &begun,
+          const Vector3                &start,
+          const double                  angle) const override;
 
     Vector3
     spin(const Vector3 &start, const bool along_x) const override;

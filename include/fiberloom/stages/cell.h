@@ -48,6 +48,24 @@ namespace fiberloom
              const double     warp_strain,
              const double     fill_strain);
 
+    /** That of a cell whose periods keep the lengths that they have at @p start
+     * , while the right angle between them closes by @p angle more [rad]. */
+    Placement
+    sheared(const Scene &scene, const Placement &start, const double angle);
+
+    /** By how much the elongations grow with the angle at a placement
+     * [mm/rad]. */
+    Vector3
+    shear_rate(const Scene &scene, const Placement &placement);
+
+    /** Mean deformation gradient of a cell that is placed so. */
+    Matrix3
+    gradient(const Scene &scene, const Placement &placement);
+
+    /** Of a cell that is placed so, in the plane [mm^2]. */
+    double
+    area(const Scene &scene, const Placement &placement);
+
     /** Mean stress times the cell's width where the stage began [N]. */
     double
     pull(const Tow::Family family, const std::vector<BodyVector> &reactions);

@@ -9,7 +9,8 @@
 namespace fiberloom
 {
   /** Section 6.3 of the paper: a frame of four hinged bars of constant length
-   * along the borders, warp and fill turning by half the angle each. */
+   * along the borders, warp and fill turning by half the angle each. The bars
+   * of a periodic cell are its periods. */
   class Shear : public AngleTest
   {
   public:
@@ -29,10 +30,18 @@ namespace fiberloom
          const double                  angle) const override;
 
     Vector3
-    place(const Vector3 &start, const double angle) const override;
+    place(const std::vector<Placement> &begun,
+          const Vector3                &start,
+          const double                  angle) const override;
 
     Vector3
     spin(const Vector3 &start, const bool along_x) const override;
+
+  private:
+    /** Of a cell, whose bars are its periods. */
+    CurveRow
+    cell_curve(const State                   &state,
+               const std::vector<BodyVector> &reactions) const;
   };
 } // namespace fiberloom
 
