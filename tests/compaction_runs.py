@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the fiberloom authors
 
-"""Compaction of a cell: there and back, by pressure, on two ranks, restarted; stacks of plies; the power law's script."""
+"""Compaction of a cell: there and back, by pressure, on two ranks, restarted; stacks of plies; the power law's script;
+and shear of a cell, there and back."""
 
 import json
 import os
@@ -46,6 +47,27 @@ def check_return(woven):
     slippery = begin("slippery", woven, *BACK, "Compact/Friction coefficient=0")
     check(f"plates without friction: status {slippery.returncode}", slippery.returncode == 0)
     check("  press less", curve("slippery")[4]["pressure[MPa]"] < there[-1]["pressure[MPa]"])
+
+
+def check_shear(woven):
+    smooth = ["Stages=shear", "Contact/Friction coefficient=0", "Shear/Largest angle=0.3", "Shear/First step=0.03",
+              "Shear/Largest step=0.03", "Shear/Way=1, 0", "Solver/Error estimate=false"]
+    for ranks in (1, 2):
+        done = begin(f"shear_{ranks}", woven, *smooth, ranks=ranks)
+        check(f"shear on {ranks} ranks: status {done.returncode} {done.stderr}", done.returncode == 0)
+    check_same("  curve", "shear_1", "shear_2", 1e-4)
+    rows = curve("shear_1")
+    # Within the first increment tows that friction does not hold any more slide to where they have less energy.
+    first, last, turned = rows[1], rows[-1], max(rows, key=lambda row: row["shear_angle[rad]"])
+    for period in ("period_warp[mm]", "period_fill[mm]"):
+        check(f"  {period} stays", all(abs(row[period] / first[period] - 1) < 1e-9 for row in rows))
+    stored = turned["elastic_energy[N.mm]"] - first["elastic_energy[N.mm]"]
+    work = turned["work[N.mm]"] - first["work[N.mm]"]
+    check(f"  work {work:.4g} is stored, {stored:.4g}", abs(work / stored - 1) < .03)
+    check("  and given back", abs(last["shear_moment[N.mm]"]) < 1e-4 * turned["shear_moment[N.mm]"])
+    check("  the moment is that of bars that are periods",
+          all(abs(row["shear_moment[N.mm]"] / row["period_warp[mm]"] - row["shear_force[N]"]) < 1e-6 * abs(turned["shear_force[N]"])
+              for row in rows))
 
 
 def check_restart(woven):
@@ -113,6 +135,7 @@ def main():
     woven = weave("woven")
     check_return(woven)
     check_restart(woven)
+    check_shear(woven)
     check_stacks(woven)
     check_refusals()
     check_power_law()

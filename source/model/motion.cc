@@ -233,8 +233,7 @@ namespace fiberloom
                                             increment.data() + first + 3));
               }
             const unsigned int centered = std::min(size, 3u);
-            node.head(centered) +=
-              factor * increment.segment(first, centered);
+            node.head(centered) += factor * increment.segment(first, centered);
           }
       }
     state.placements = std::move(moved);

@@ -36,6 +36,10 @@ namespace fiberloom
     // equilibrium to another, and nothing is known of the error.
     constexpr double checked_from = .05, largest_disagreement = .5;
 
+    // What parts of different signs leave of the largest of them counts for no
+    // less: none is known better.
+    constexpr double least_part = .5;
+
     // Of second order: halved, a length leaves a quarter of its error.
     constexpr double of_second_order = 4. / 3;
 
@@ -308,10 +312,15 @@ namespace fiberloom
           }
         const Eigen::ArrayXd tolerance =
           of_tolerance * change(unrefined.before, now, scale);
-        const Eigen::ArrayXd total =
-          mesh + stations + penetration + matrix + tolerance;
-        Eigen::Index worst;
-        total.abs().maxCoeff(&worst);
+        const Eigen::ArrayXd together =
+          (mesh + stations + penetration + matrix + tolerance).abs();
+        const Eigen::ArrayXd alone = mesh.abs()
+                                       .max(stations.abs())
+                                       .max(penetration.abs())
+                                       .max(matrix.abs());
+        const Eigen::ArrayXd total = together.max(least_part * alone);
+        Eigen::Index         worst;
+        total.maxCoeff(&worst);
         const std::string column = now.curve[worst].first;
         const auto        found  = scale.find(unit(column));
         constexpr double  none   = std::numeric_limits<double>::quiet_NaN();
