@@ -429,6 +429,11 @@ namespace fiberloom
                     output.pictures,
                     "Whether pictures of slices, fabric and curves are drawn.",
                     Allowed::true_or_false());
+      catalogue.add("Neighbors",
+                    output.neighbors,
+                    "Whether pictures of a periodic cell show the eight around "
+                    "it, too.",
+                    Allowed::true_or_false());
       catalogue.add(
         "Iterations in log",
         output.iterations,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/fabric/fiber_images.h>
+
 #include <fiberloom/output/canvas.h>
 #include <fiberloom/output/fiber_samples.h>
 #include <fiberloom/output/section_skin.h>
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace fiberloom
 {
@@ -17,6 +20,7 @@ namespace fiberloom
   {
     constexpr unsigned int picture_intervals = 4;
     constexpr unsigned int picture_around    = 16;
+    constexpr double       neighbors_lighter = .6;
 
     const Color matrix_color{{{.84, .86, .82}}};
 
@@ -33,14 +37,42 @@ namespace fiberloom
       return axes;
     }
 
+    /** None for the sample itself, which comes first, and those of a cell to
+     * its neighbors [mm]. */
+    std::vector<Vector3>
+    shifts_of_cells(const FiberSet  &fibers,
+                    const FiberMesh &mesh,
+                    const DofVector &q,
+                    const bool       with_neighbors)
+    {
+      std::vector<Vector3> shifts = {Vector3::Zero()};
+      if (!fibers.cell || !with_neighbors)
+        return shifts;
+      std::array<Vector3, 2> periods;
+      for (const FiberMesh::Line &line : mesh.lines())
+        {
+          const unsigned int first = FiberMesh::dofs_per_node * line.first_node,
+                             last  = first + FiberMesh::dofs_per_node *
+                                              (line.n_nodes() - 1);
+          periods[direction(fibers.tows[line.tow])] =
+            q.segment<3>(last) - q.segment<3>(first);
+        }
+      for (const int i : {-1, 0, 1})
+        for (const int j : {-1, 0, 1})
+          if (i != 0 || j != 0)
+            shifts.push_back(i * periods[0] + j * periods[1]);
+      return shifts;
+    }
+
     /** From millimetres to pixels. */
     class PictureView
     {
     public:
-      PictureView(const FiberMesh   &mesh,
-                  const DofVector   &q,
-                  const Composite   *composite,
-                  const unsigned int largest_side)
+      PictureView(const FiberMesh            &mesh,
+                  const DofVector            &q,
+                  const Composite            *composite,
+                  const std::vector<Vector3> &shifts,
+                  const unsigned int          largest_side)
         : axes(oblique_axes())
       {
         low.setConstant(1e300);
@@ -51,8 +83,9 @@ namespace fiberloom
           low             = low.cwiseMin(p);
           high            = high.cwiseMax(p);
         };
-        for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
-          include(q.segment<3>(FiberMesh::dofs_per_node * n));
+        for (const Vector3 &shift : shifts)
+          for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+            include(q.segment<3>(FiberMesh::dofs_per_node * n) + shift);
         if (composite != nullptr)
           for (unsigned int n = 0; n < composite->matrix().n_nodes(); ++n)
             include(composite->positions(q).segment<3>(3 * n));
@@ -186,25 +219,43 @@ namespace fiberloom
                 const FiberMesh   &mesh,
                 const DofVector   &q,
                 const Composite   *composite,
+                const bool         with_neighbors,
                 const unsigned int largest_side)
   {
-    const PictureView view(mesh, q, composite, largest_side);
+    const std::vector<Vector3> shifts =
+      shifts_of_cells(fibers, mesh, q, with_neighbors);
+    const PictureView view(mesh, q, composite, shifts, largest_side);
     Canvas            canvas(view.width, view.height);
     double            mean_radius = 0;
+    int               object      = 0;
 
-    for (unsigned int f = 0; f < mesh.lines().size(); ++f)
-      {
-        const auto sections = sample_sections(mesh, q, f, picture_intervals);
-        const SectionSkin skin(sections, picture_around);
-        const Color       color = tow_color(fibers.tows[mesh.lines()[f].tow]);
-        draw_skin(canvas, view, skin, color, f);
-        draw_end(canvas, view, skin, sections.front(), 0, color, f);
-        draw_end(
-          canvas, view, skin, sections.back(), skin.n_rings - 1, color, f);
-        mean_radius += mesh.lines()[f].radius / mesh.lines().size();
-      }
+    for (const Vector3 &shift : shifts)
+      for (unsigned int f = 0; f < mesh.lines().size(); ++f)
+        {
+          auto sections = sample_sections(mesh, q, f, picture_intervals);
+          for (Section &section : sections)
+            section.center += shift;
+          const SectionSkin skin(sections, picture_around);
+          const Color       color =
+            tow_color(fibers.tows[mesh.lines()[f].tow])
+              .lighter(object < static_cast<int>(mesh.lines().size()) ?
+                         0 :
+                         neighbors_lighter);
+          draw_skin(canvas, view, skin, color, object);
+          draw_end(canvas, view, skin, sections.front(), 0, color, object);
+          draw_end(canvas,
+                   view,
+                   skin,
+                   sections.back(),
+                   skin.n_rings - 1,
+                   color,
+                   object);
+          ++object;
+          mean_radius +=
+            mesh.lines()[f].radius / (mesh.lines().size() * shifts.size());
+        }
     if (composite != nullptr)
-      draw_matrix(canvas, view, *composite, q, mesh.lines().size());
+      draw_matrix(canvas, view, *composite, q, object);
     return canvas.png(3 * mean_radius * view.scale);
   }
 } // namespace fiberloom

@@ -617,7 +617,11 @@ namespace fiberloom
         return;
       std::filesystem::create_directories(path("pictures"));
       write_file(path("pictures/view_" + label + ".png"),
-                 weave_picture(fibers, mesh, report.state.q, report.composite));
+                 weave_picture(fibers,
+                               mesh,
+                               report.state.q,
+                               report.composite,
+                               parameters.output.neighbors));
       const std::string drawing = curve_picture(curve, report.state.stage);
       if (!drawing.empty())
         write_file(path("pictures/loading_curve_" + label + ".svg"), drawing);

@@ -279,6 +279,7 @@ namespace fiberloom
     unsigned int section_points   = 12;
     unsigned int checkpoint_every = 1; // accepted increments
     bool         pictures         = true;
+    bool         neighbors        = false;
     bool         iterations       = false;
     bool         only_summary     = false;
 

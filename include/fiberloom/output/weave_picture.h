@@ -18,14 +18,16 @@ namespace fiberloom
    * The whole sample seen from above at an angle, every fiber with its
    * deformed sections in the colour of its tow; content of a PNG file. Needs
    * no display. Of a matrix, unless @p composite is null, all cells are seen
-   * but those above the middle plane in the front half.
+   * but those above the middle plane in the front half. Of a periodic cell
+   * @p with_neighbors shows the eight around it, too, in lighter colours.
    */
   std::string
   weave_picture(const FiberSet    &fibers,
                 const FiberMesh   &mesh,
                 const DofVector   &q,
-                const Composite   *composite    = nullptr,
-                const unsigned int largest_side = 1600);
+                const Composite   *composite      = nullptr,
+                const bool         with_neighbors = false,
+                const unsigned int largest_side   = 1600);
 } // namespace fiberloom
 
 #endif
