@@ -6,10 +6,13 @@
 #include <fiberloom/simulation/error_estimate.h>
 #include <fiberloom/simulation/refinement.h>
 
+#include <boost/format.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,6 +45,31 @@ namespace fiberloom
 
     // Of second order: halved, a length leaves a quarter of its error.
     constexpr double of_second_order = 4. / 3;
+
+    // An estimated error of a loading curve, the one that "draft" may have.
+    constexpr double too_much = .1;
+
+    /** The setting that makes the largest part of @p error smaller. */
+    std::string
+    finer_setting(const ErrorEstimate &error)
+    {
+      const std::pair<double, const char *> parts[] = {
+        {error.mesh, "a larger \"Elements per fiber\""},
+        {error.stations, "a larger \"Stations per element\""},
+        {error.penetration, "a smaller \"Largest penetration\""},
+        {error.matrix, "larger \"Cells along x\" and \"Cells along y\""},
+        {error.tolerance,
+         "a smaller \"Contact tolerance\" or \"Newton tolerance\""}};
+      double      largest = 0;
+      std::string setting;
+      for (const auto &[part, finer] : parts)
+        if (part > largest) // false for NaN
+          {
+            largest = part;
+            setting = finer;
+          }
+      return setting;
+    }
 
     /** Of contacts [mm], each as much as its force. */
     double
@@ -337,5 +365,34 @@ namespace fiberloom
       {
         return {};
       }
+  }
+
+
+
+  std::vector<std::string>
+  described(const ErrorEstimate &error)
+  {
+    if (!std::isfinite(error.total))
+      return {"no estimate of the curve's error: with finer settings nothing "
+              "settles, fibers jump to another equilibrium, or there is no "
+              "force"};
+    const auto part = [](const std::string &name, const double of) {
+      return std::isfinite(of) ?
+               str(boost::format(", %s %.2g %%") % name % (100 * of)) :
+               "";
+    };
+    std::vector<std::string> lines = {
+      (boost::format("estimated error of the loading curve %.2g %%, %.2g in "
+                     "%s: mesh %.2g %%") %
+       (100 * error.total) % std::abs(error.change) % error.column %
+       (100 * error.mesh))
+        .str() +
+      part("stations", error.stations) +
+      part("penetration", error.penetration) + part("matrix", error.matrix) +
+      part("tolerance", error.tolerance)};
+    if (error.total > too_much)
+      lines.push_back("that is too much to be relied on; " +
+                      finer_setting(error) + " may help");
+    return lines;
   }
 } // namespace fiberloom

@@ -31,31 +31,6 @@ namespace fiberloom
 {
   namespace
   {
-    // An estimated error of a loading curve, the one that "draft" may have.
-    constexpr double too_much = .1;
-
-    /** The setting that makes the largest part of @p error smaller. */
-    std::string
-    finer_setting(const ErrorEstimate &error)
-    {
-      const std::pair<double, const char *> parts[] = {
-        {error.mesh, "a larger \"Elements per fiber\""},
-        {error.stations, "a larger \"Stations per element\""},
-        {error.penetration, "a smaller \"Largest penetration\""},
-        {error.matrix, "larger \"Cells along x\" and \"Cells along y\""},
-        {error.tolerance,
-         "a smaller \"Contact tolerance\" or \"Newton tolerance\""}};
-      double      largest = 0;
-      std::string setting;
-      for (const auto &[part, finer] : parts)
-        if (part > largest) // false for NaN
-          {
-            largest = part;
-            setting = finer;
-          }
-      return setting;
-    }
-
     /** The first of @p changes , and how many more there are. */
     std::string
     summarized(const std::vector<std::string> &changes)
@@ -555,33 +530,9 @@ namespace fiberloom
             throw StopRequested("");
         });
     }
-    const ErrorEstimate &error = statistics.estimated_error;
-    const auto           part  = [](const std::string &name, const double of) {
-      return std::isfinite(of) ?
-                          str(boost::format(", %s %.2g %%") % name % (100 * of)) :
-                          "";
-    };
-    if (std::isfinite(error.total))
-      log.write((boost::format("%-8s estimated error of the loading curve "
-                               "%.2g %%, %.2g in %s: mesh %.2g %%") %
-                 statistics.name % (100 * error.total) %
-                 std::abs(error.change) % error.column % (100 * error.mesh))
-                  .str() +
-                part("stations", error.stations) +
-                part("penetration", error.penetration) +
-                part("matrix", error.matrix) +
-                part("tolerance", error.tolerance));
-    else if (is_test)
-      log.write((boost::format("%-8s no estimate of the curve's error: with "
-                               "finer settings nothing settles, fibers jump "
-                               "to another equilibrium, or there is no force") %
-                 statistics.name)
-                  .str());
-    if (error.total > too_much)
-      log.write((boost::format("%-8s that is too much to be relied on; %s may "
-                               "help") %
-                 statistics.name % finer_setting(error))
-                  .str());
+    if (is_test)
+      for (const std::string &line : described(statistics.estimated_error))
+        log.write((boost::format("%-8s %s") % statistics.name % line).str());
   }
 
 

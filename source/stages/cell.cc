@@ -206,11 +206,20 @@ namespace fiberloom
 
 
 
+    Eigen::Matrix2d
+    plane_periods(const Scene &scene, const Placement &placement)
+    {
+      const auto &size = *scene.fibers.cell;
+      return gradient(scene, placement).topLeftCorner<2, 2>() *
+             Eigen::Vector2d(size[0], size[1]).asDiagonal();
+    }
+
+
+
     double
     area(const Scene &scene, const Placement &placement)
     {
-      const auto &size = *scene.fibers.cell;
-      return size[0] * size[1] * gradient(scene, placement).determinant();
+      return plane_periods(scene, placement).determinant();
     }
 
 

@@ -89,7 +89,7 @@ namespace fiberloom
     Cell::place(state);
     // So deep that plies and both plates are held by what they touch.
     close_stack(scene,
-                Cell::periods(scene, state.placements[Cell::body]),
+                Cell::plane_periods(scene, state.placements[Cell::body]),
                 first_depth(),
                 state.q);
     const Extent extent = skin_extent(scene.mesh, state.q);

@@ -43,16 +43,19 @@ namespace fiberloom
       return samples;
     }
 
-    /** Samples by squares of a cell, which are no smaller than a fiber is wide
-     * and go on beyond its borders. */
+    /** Samples by diamonds of a cell, which are no narrower than a fiber and go
+     * on beyond its borders. */
     class PlanBins
     {
     public:
-      PlanBins(const std::array<double, 2> &periods, const double width)
+      PlanBins(const Eigen::Matrix2d &periods, const double width)
         : periods(periods)
+        , in_periods(periods.inverse())
       {
         for (unsigned int d = 0; d < 2; ++d)
-          n[d] = std::max(1, static_cast<int>(periods[d] / width));
+          n[d] =
+            std::max(1,
+                     static_cast<int>(1 / (in_periods.row(d).norm() * width)));
         bins.resize(n[0] * n[1]);
       }
 
@@ -73,11 +76,11 @@ namespace fiberloom
             for (const Sample &below :
                  bins[bin(square(above, 0) + i, square(above, 1) + j)])
               {
-                const Vector3 way   = above.center - below.center;
-                const double  reach = above.radius + below.radius,
-                             apart =
-                               std::hypot(std::remainder(way.x(), periods[0]),
-                                          std::remainder(way.y(), periods[1]));
+                const Vector3         way   = above.center - below.center;
+                const double          reach = above.radius + below.radius;
+                const Eigen::Vector2d along = in_periods * way.head<2>();
+                const double          apart =
+                  (periods * (along - along.array().round().matrix())).norm();
                 if (apart < reach)
                   least = std::min(least,
                                    way.z() - std::sqrt((reach - apart) *
@@ -87,14 +90,15 @@ namespace fiberloom
       }
 
     private:
-      const std::array<double, 2>      periods;
+      const Eigen::Matrix2d            periods, in_periods;
       std::array<int, 2>               n;
       std::vector<std::vector<Sample>> bins;
 
       int
       square(const Sample &sample, const unsigned int d) const
       {
-        return std::floor(sample.center[d] / periods[d] * n[d]);
+        return std::floor(in_periods.row(d).dot(sample.center.head<2>()) *
+                          n[d]);
       }
 
       std::size_t
@@ -108,10 +112,10 @@ namespace fiberloom
 
 
   void
-  close_stack(const Scene                 &scene,
-              const std::array<double, 2> &periods,
-              const double                 depth,
-              DofVector                   &q)
+  close_stack(const Scene           &scene,
+              const Eigen::Matrix2d &periods,
+              const double           depth,
+              DofVector             &q)
   {
     PlanBins below(periods, 2 * scene.mesh.largest_radius());
     for (unsigned int p = 0; p < scene.fibers.n_plies(); ++p)

@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace fiberloom
 {
@@ -31,6 +32,10 @@ namespace fiberloom
                  const State                 &found,
                  const MPI_Comm               comm,
                  const std::function<void()> &ask);
+
+  /** What is to be told of an estimate: lines of a log. */
+  std::vector<std::string>
+  described(const ErrorEstimate &error);
 } // namespace fiberloom
 
 #endif

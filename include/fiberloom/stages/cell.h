@@ -62,6 +62,10 @@ namespace fiberloom
     Matrix3
     gradient(const Scene &scene, const Placement &placement);
 
+    /** Its periods in the plane, one a column [mm]. */
+    Eigen::Matrix2d
+    plane_periods(const Scene &scene, const Placement &placement);
+
     /** Of a cell that is placed so, in the plane [mm^2]. */
     double
     area(const Scene &scene, const Placement &placement);

@@ -11,13 +11,14 @@ namespace fiberloom
   /**
    * Lowers the plies of a periodic cell one after the other, as they are, until
    * each overlaps what is below by @p depth [mm], or by up to a hundredth of
-   * the radius more, where they are closest. @p periods : of the cell [mm].
+   * the radius more, where they are closest. @p periods : of the cell, one a
+   * column [mm].
    */
   void
-  close_stack(const Scene                 &scene,
-              const std::array<double, 2> &periods,
-              const double                 depth,
-              DofVector                   &q);
+  close_stack(const Scene           &scene,
+              const Eigen::Matrix2d &periods,
+              const double           depth,
+              DofVector             &q);
 } // namespace fiberloom
 
 #endif
