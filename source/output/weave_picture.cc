@@ -18,6 +18,7 @@ namespace fiberloom
 {
   namespace
   {
+    constexpr unsigned int largest_side      = 1600; // in pixels
     constexpr unsigned int picture_intervals = 4;
     constexpr unsigned int picture_around    = 16;
     constexpr double       neighbors_lighter = .6;
@@ -71,8 +72,7 @@ namespace fiberloom
       PictureView(const FiberMesh            &mesh,
                   const DofVector            &q,
                   const Composite            *composite,
-                  const std::vector<Vector3> &shifts,
-                  const unsigned int          largest_side)
+                  const std::vector<Vector3> &shifts)
         : axes(oblique_axes())
       {
         low.setConstant(1e300);
@@ -215,16 +215,15 @@ namespace fiberloom
 
 
   std::string
-  weave_picture(const FiberSet    &fibers,
-                const FiberMesh   &mesh,
-                const DofVector   &q,
-                const Composite   *composite,
-                const bool         with_neighbors,
-                const unsigned int largest_side)
+  weave_picture(const FiberSet  &fibers,
+                const FiberMesh &mesh,
+                const DofVector &q,
+                const Composite *composite,
+                const bool       with_neighbors)
   {
     const std::vector<Vector3> shifts =
       shifts_of_cells(fibers, mesh, q, with_neighbors);
-    const PictureView view(mesh, q, composite, shifts, largest_side);
+    const PictureView view(mesh, q, composite, shifts);
     Canvas            canvas(view.width, view.height);
     double            mean_radius = 0;
     int               object      = 0;

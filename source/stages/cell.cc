@@ -50,14 +50,13 @@ namespace fiberloom
         return nearest;
       }
 
-      /** Stretches of both periods and the angle by which that of warp turns,
-       * where the right angle between them has closed by another: the
-       * gradient is symmetric. */
+      /** The cell as a frame of hinged bars. */
       struct Frame
       {
-        double warp, fill; // stretches
-        double angle;      // [rad]
+        double warp, fill; // stretches of the periods
+        double angle;      // by which that between them has closed [rad]
 
+        /** Of the period along the warp, as the gradient is symmetric. */
         double
         warp_turn() const
         {
@@ -136,10 +135,8 @@ namespace fiberloom
     std::array<double, 2>
     periods(const Scene &scene, const Placement &placement)
     {
-      const PeriodicCell cell = cell_of(scene);
-      return {
-        {(cell.shift(1, 0) + cell.slope(1, 0) * placement.position).norm(),
-         (cell.shift(0, 1) + cell.slope(0, 1) * placement.position).norm()}};
+      const Eigen::Matrix2d periods = plane_periods(scene, placement);
+      return {{periods.col(0).norm(), periods.col(1).norm()}};
     }
 
 

@@ -22,12 +22,11 @@ namespace fiberloom
    * @p with_neighbors shows the eight around it, too, in lighter colours.
    */
   std::string
-  weave_picture(const FiberSet    &fibers,
-                const FiberMesh   &mesh,
-                const DofVector   &q,
-                const Composite   *composite      = nullptr,
-                const bool         with_neighbors = false,
-                const unsigned int largest_side   = 1600);
+  weave_picture(const FiberSet  &fibers,
+                const FiberMesh &mesh,
+                const DofVector &q,
+                const Composite *composite      = nullptr,
+                const bool       with_neighbors = false);
 } // namespace fiberloom
 
 #endif
