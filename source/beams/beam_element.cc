@@ -6,6 +6,7 @@
 #include <fiberloom/beams/beam_element.h>
 #include <fiberloom/beams/shape_functions.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -358,14 +359,10 @@ namespace fiberloom
               }
             if constexpr (with_tangent)
               {
-                const double stiffening =
-                  curvature == Curvature::convex && k == axial ?
-                    std::max(0., S[k]) :
-                    S[k];
                 for (unsigned int a = 0; a < 3; ++a)
                   for (unsigned int b = 0; b < 3; ++b)
                     {
-                      const double value = stiffening *
+                      const double value = S[k] *
                                            interpolation.coefficients[i][a] *
                                            interpolation.coefficients[j][b];
                       geometric(3 * a + slot[i], 3 * b + slot[j]) += value;
@@ -428,6 +425,14 @@ namespace fiberloom
         tangent->noalias() +=
           gradient.transpose() * (hourglass_stiffness * gradient);
 
+        if constexpr (curvature == Curvature::convex)
+          {
+            const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>>
+              modes(geometric);
+            geometric = modes.eigenvectors() *
+                        modes.eigenvalues().cwiseAbs().asDiagonal() *
+                        modes.eigenvectors().transpose();
+          }
         for (unsigned int a = 0; a < 9; ++a)
           for (unsigned int b = 0; b < 9; ++b)
             for (unsigned int d = 0; d < 3; ++d)

@@ -242,7 +242,7 @@ namespace fiberloom
       }
     if (asked == Curvature::none)
       return true;
-    if (asked != Curvature::exact)
+    if (asked != Curvature::exact || predicted)
       {
         set_positive(c, contact, law.value, potential);
         return true;

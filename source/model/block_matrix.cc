@@ -175,6 +175,27 @@ namespace fiberloom
 
 
 
+  void
+  BlockMatrix::isolate(const std::vector<char> &kept, const double diagonal)
+  {
+    for (unsigned int row = 0; row < column_blocks.size(); ++row)
+      {
+        const unsigned int block  = numbering.owned_blocks()[row];
+        const unsigned int height = numbering.size(block);
+        for (unsigned int c = 0; c < column_blocks[row].size(); ++c)
+          if (const unsigned int column = column_blocks[row][c];
+              !kept[block] || !kept[column])
+            {
+              double *entries = values(row, c);
+              std::fill_n(entries, height * numbering.size(column), 0.);
+              for (unsigned int i = 0; block == column && i < height; ++i)
+                entries[i * height + i] = diagonal;
+            }
+      }
+  }
+
+
+
   double
   BlockMatrix::least_addition() const
   {

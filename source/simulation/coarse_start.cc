@@ -16,9 +16,11 @@ namespace fiberloom
     // Contact, too, is coarser: it needs fewer stations, and what touches
     // changes less abruptly. Deeper than this, over the radius, fibers would
     // no longer stay on their sides.
-    // A weave ends at a tenth of the tolerance, this one at ten times that of
-    // the scene.
-    constexpr double softer = 4, looser = 100, deepest = .5;
+    constexpr double softer = 4, deepest = .5;
+
+    // Where a step would gain less than this part of the energy, the finer mesh
+    // goes on: it changes the energy by a hundredth.
+    constexpr double near_enough = 1e-5;
 
     /** Half as many elements, and softer contact; whether that still shows each
      * crossing. */
@@ -33,9 +35,9 @@ namespace fiberloom
       contact.initial_stiffness /= part;
       contact.line_stiffness /= part;
       // Where a fabric comes to rest does not depend on friction.
-      contact.friction_coefficient = 0;
-      parameters.solver.contact_tolerance *= looser;
-      FabricParameters &fabric = parameters.fabric;
+      contact.friction_coefficient   = 0;
+      parameters.weaving.near_enough = near_enough;
+      FabricParameters &fabric       = parameters.fabric;
       const auto halve = [](TowParameters &tows, const unsigned int crossed) {
         tows.elements_per_fiber = (tows.elements_per_fiber + 1) / 2;
         return tows.elements_per_fiber >=

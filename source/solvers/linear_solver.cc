@@ -358,6 +358,8 @@ namespace fiberloom
         // Motions and strains may both be definite where the whole is not.
         double slope;
         x.Dot(b, &slope);
+        if (slope < 0 && indefinite == Indefinite::refused)
+          outcome.negative_pivots = 1;
         if (slope >= 0 || indefinite != Indefinite::shifted)
           return true;
       }

@@ -42,6 +42,8 @@ namespace fiberloom
     , largest_move(largest_move)
     , watch(std::move(watch))
     , bounds(mesh, system, largest_move)
+    , moving(mesh, system)
+    , of_few(system, "double factor")
   {}
 
 
@@ -54,6 +56,7 @@ namespace fiberloom
   {
     begin();
     bounds.release();
+    of_few.forget();
     unsigned int n       = 0; // iterations with this stiffness
     const auto   stiffen = [&]() {
       if (penetration == nullptr ||
@@ -70,17 +73,28 @@ namespace fiberloom
         const bool moves = system.motion().moves(state, problem.targets);
         assemble(state,
                  problem,
-                 trusted && !moves ? Curvature::exact : definite(problem));
+                 !moves && is_exact_worth_it(problem) ? Curvature::exact :
+                                                        definite(problem));
+        if (!moving.are_all() &&
+            !moving.are_worth_it(poor_model, largest_change))
+          {
+            moving.release();
+            continue;
+          }
         measure(problem);
         watch({residual, damping, last_factor});
         if (!moves && n > 0 && depths_are_known(problem) && stiffen())
           continue;
-        if (!moves && residual < tolerance(problem) &&
+        if (!moves && (residual < tolerance(problem) || is_near_enough) &&
             is_at_rest(state, problem))
           {
-            if (!stiffen())
+            if (stiffen())
+              continue;
+            if (ends_exactly || problem.rule.friction ||
+                problem.near_enough > 0)
               return true;
-            continue;
+            // Quadratic at the end, if the Hessian is definite there.
+            ends_exactly = trusted = true;
           }
         Step step;
         if (n == most || !std::isfinite(residual))
@@ -137,6 +151,9 @@ namespace fiberloom
     residual       = 1e300;
     lagged         = 0;
     limits_are_new = false;
+    is_near_enough = false;
+    ends_exactly   = false;
+    moving.release();
   }
 
 
@@ -196,15 +213,25 @@ namespace fiberloom
 
 
   bool
+  Newton::is_exact_worth_it(const Problem &problem) const
+  {
+    return trusted &&
+           (!problem.is_first || !moving.are_all() || residual < poor_model);
+  }
+
+
+
+  bool
   Newton::is_at_rest(State &state, const Problem &problem)
   {
+    moving.release();
     increment.generate(state, problem);
     generated_at = state.q;
     assemble(state, problem, Curvature::exact);
     lagged = 0;
     measure(problem);
     limits_are_new = true;
-    return residual < tolerance(problem);
+    return residual < tolerance(problem) || is_near_enough;
   }
 
 
@@ -218,6 +245,8 @@ namespace fiberloom
     system.set_curvature(curvature);
     increment.assemble(state, problem);
     gradient = system.right_hand_side();
+    moving.restrict_matrix();
+    moving.restrict(gradient);
   }
 
 
@@ -264,20 +293,22 @@ namespace fiberloom
                        Step                          &step)
   {
     LinearSolver::Outcome outcome;
+    std::vector<double>   right_hand_side = system.right_hand_side();
+    moving.restrict(right_hand_side);
     {
       ScopedTimer timer(statistics.seconds.linear_solver);
-      outcome = linear_solver.solve(system.matrix(),
-                                    state.q,
-                                    system.right_hand_side(),
-                                    damping * system.stiffness_scale(),
-                                    std::max(least_damping, damping) *
-                                      system.stiffness_scale(),
-                                    step.solution,
-                                    indefinite,
-                                    forcing());
+      outcome = solver().solve(system.matrix(),
+                               state.q,
+                               right_hand_side,
+                               damping * system.stiffness_scale(),
+                               std::max(least_damping, damping) *
+                                 system.stiffness_scale(),
+                               step.solution,
+                               indefinite,
+                               forcing());
     }
     add(statistics, outcome);
-    if (is_exact)
+    if (is_exact && moving.are_all())
       last_negative_pivots = outcome.negative_pivots;
     if (outcome.negative_pivots != 0 &&
         indefinite == LinearSolver::Indefinite::refused)
@@ -363,7 +394,10 @@ namespace fiberloom
     const auto predicts = [&](const Step &step) {
       const State ahead = moved(state, step.increment, longest(step));
       ScopedTimer timer(statistics.seconds.assembly);
-      return prediction.add_stiffness(state, ahead);
+      if (!prediction.add_stiffness(state, ahead))
+        return false;
+      moving.restrict_matrix();
+      return true;
     };
     // What is far closes other contacts in the next iteration.
     const unsigned int most = is_far ? 1 : most_predictions;
@@ -500,6 +534,8 @@ namespace fiberloom
     const double part     = std::min(1., found.factor);
     const double promised = -taken->slope * part * (1 - .5 * part);
     const double actual   = promised > 0 ? (here - found.energy) / promised : 0;
+    is_near_enough        = problem.near_enough > 0 && moving.are_all() &&
+                     -.5 * taken->slope < problem.near_enough * here;
     // Where fibers have bounds, these see to it that no step is too long.
     if (found.cuts > 1 || (!is_bounded && actual < poor_model))
       damping = std::max(largest_change * damping, least_damping);
@@ -507,10 +543,24 @@ namespace fiberloom
              (is_bounded || actual > good_model))
       damping = damping > least_damping ? damping / largest_change : 0;
     trusted = found.factor >= 1 && actual > poor_model &&
-              (!is_bounded || actual < 1 + trusted_error);
-    last_factor      = found.factor;
+              (!is_bounded || !is_exact || actual < 1 + trusted_error);
+    ends_exactly =
+      residual < tolerance(problem) || (is_exact && moving.are_all());
+    last_factor = found.factor;
+    if (moving.are_all() && is_bounded)
+      choose_moving(found.state.q - state.q);
     state.q          = std::move(found.state.q);
     state.placements = std::move(found.state.placements);
+  }
+
+
+
+  void
+  Newton::choose_moving(const DofVector &way)
+  {
+    Eigen::VectorXd increment = Eigen::VectorXd::Zero(system.layout().n_dofs());
+    increment.head(way.size()) = way;
+    moving.choose(system.motion().largest_moves(increment), poor_model);
   }
 
 
@@ -544,10 +594,11 @@ namespace fiberloom
         std::vector<double> defect = system.free_residual(), solution;
         for (unsigned int i = 0; i < defect.size(); ++i)
           defect[i] = there.factor * step.response[i] - gradient[i] - defect[i];
+        moving.restrict(defect);
         LinearSolver::Outcome outcome;
         {
           ScopedTimer timer(statistics.seconds.linear_solver);
-          if (!linear_solver.solve_again(
+          if (!solver().solve_again(
                 system.matrix(), defect, forcing(), solution, outcome))
             break;
         }

@@ -153,9 +153,12 @@ namespace fiberloom
   {
     // Friction starts where the fibers are now: nothing is locked in.
     Equilibrium::Problem problem{before, targets(before.placements, 1), {}};
-    problem.is_first = true;
+    problem.is_first    = true;
+    problem.near_enough = scene.parameters.weaving.near_enough;
     if (!equilibrium.solve_from(state, problem))
       return false;
+    if (problem.near_enough > 0)
+      return true;
     const State          reference = state;
     Equilibrium::Problem end{reference, problem.targets, {}};
     end.rule.friction = scene.parameters.contact.friction_coefficient > 0;

@@ -7,8 +7,9 @@
 namespace fiberloom
 {
   /** What of an energy's Hessian is asked for: nothing; without what makes
-   * it indefinite as normals of contacts turn and their points slide, and as
-   * compressed fibers buckle; without that of contacts alone; or all. */
+   * it indefinite as normals of contacts turn and their points slide, and with
+   * the absolute value of what stresses in fibers add to it; without that of
+   * contacts alone; or all. */
   enum class Curvature
   {
     none,

@@ -155,6 +155,7 @@ namespace fiberloom
       0.5; // reduction of the allowed overlap per step over the radius
     unsigned int fast_iterations_per_step = 2;
     unsigned int coarser_meshes           = 2;
+    double       near_enough = 0; // of a coarser mesh, see Problem; no entry
   };
 
   /** Stage "biaxial": pulls along warp and fill. */

@@ -44,6 +44,10 @@ namespace fiberloom
     void
     set_zero();
 
+    /** Leaves of blocks that are not @p kept only @p diagonal . */
+    void
+    isolate(const std::vector<char> &kept, const double diagonal);
+
     /** Adds @p value to the diagonal entries of fibers and of displacements,
      * times the lever squared to those of rotations, times its weight to those
      * of the matrix. */

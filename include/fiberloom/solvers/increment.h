@@ -26,6 +26,7 @@ namespace fiberloom
     double       load_step   = 0;     // none: not to be cut
     Past         even        = {};    // another one to come from, see Stage
     bool         is_first    = false; // no state was at rest before
+    double       near_enough = 0; // of the energy, where a step promises less
   };
 
   /**

@@ -7,6 +7,7 @@
 #include <fiberloom/solvers/fiber_bounds.h>
 #include <fiberloom/solvers/increment.h>
 #include <fiberloom/solvers/linear_solver.h>
+#include <fiberloom/solvers/moving_fibers.h>
 #include <fiberloom/solvers/penetration.h>
 
 #include <functional>
@@ -24,7 +25,8 @@ namespace fiberloom
    * it is followed by corrections with the factor at hand, which lead back to
    * its floor, and contacts that a step would close take part in it. Where the
    * Hessian is indefinite, that of contacts loses what makes it so, without
-   * friction that of fibers, too, and no fiber goes further than its own bound.
+   * friction that of fibers, too, and no fiber goes further than its own bound;
+   * where few still move, these come to rest by themselves.
    * Where they are new, friction's limits follow the normal forces within the
    * linear system, as long as the residual or the steps that are left get
    * smaller.
@@ -157,6 +159,11 @@ namespace fiberloom
     bool
     has_improved(const State &state, const Problem &problem);
 
+    /** Whether the Hessian may be definite: the last step did not tell
+     * otherwise, and a weave's forces are about right. */
+    bool
+    is_exact_worth_it(const Problem &problem) const;
+
     /** Whether the fully regenerated problem is in balance; assembled anew
      * where it is not. */
     bool
@@ -187,6 +194,13 @@ namespace fiberloom
     /** Cut at the bounds of fibers, if there are any. */
     Step
     bounded(const Step &step) const;
+
+    /** Of the fibers that move in this iteration. */
+    LinearSolver &
+    solver()
+    {
+      return moving.are_all() ? linear_solver : of_few;
+    }
 
     /** Over all ranks. */
     double
@@ -247,6 +261,10 @@ namespace fiberloom
     void
     descend(State &state, const Problem &problem, const Step &step);
 
+    /** Those that went furthest on the last one's @p way of all. */
+    void
+    choose_moving(const DofVector &way);
+
     /** Of the energy at @p there , along @p step [N mm]. */
     double
     slope(const State &there, const Problem &problem, const Step &step);
@@ -294,9 +312,13 @@ namespace fiberloom
     std::vector<double> gradient; // with the sign of a right hand side
     Step                other;    // without contacts that are to close
     FiberBounds         bounds;
+    MovingFibers        moving;                 // in this iteration
+    LinearSolver        of_few;                 // of these
     bool                is_bounded     = false; // fibers, in this iteration
     bool                is_exact       = true;  // the tangent of this iteration
     bool                trusted        = true;  // the model of the last one
+    bool                is_near_enough = false; // as Problem asks
+    bool                ends_exactly   = false; // the step before, or it cannot
     double              damping        = 0;     // over E r
     double              residual       = 0;     // over its scale
     double              lagged         = 0; // that, when limits were last set

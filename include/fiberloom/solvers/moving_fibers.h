@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_solvers_moving_fibers_h
+#define fiberloom_solvers_moving_fibers_h
+
+#include <fiberloom/model/system.h>
+
+#include <vector>
+
+namespace fiberloom
+{
+  /**
+   * The fibers that an iteration moves: all, or the few that still go far while
+   * all others hardly move and so may as well stand still. The equations of
+   * these few cost little, and most of what the others will have to do depends
+   * on where they come to rest (nonlinear elimination: Cai and Li, SIAM J. Sci.
+   * Comput. 33, 2011).
+   */
+  class MovingFibers
+  {
+  public:
+    /** References are kept. */
+    MovingFibers(const FiberMesh &mesh, System &system);
+
+    bool
+    are_all() const
+    {
+      return moving.empty();
+    }
+
+    void
+    release();
+
+    /** Those that went further than @p part of the furthest of all @p moves ;
+     * all, if they are more than this part of the fibers. */
+    void
+    choose(const std::vector<double> &moves, const double part);
+
+    /** Sets what belongs to others to zero, in the owned dofs. */
+    void restrict(std::vector<double> &values) const;
+
+    /** The system's matrix to that of those that move; others have a diagonal
+     * only. */
+    void
+    restrict_matrix() const;
+
+    /** Takes note of what is out of balance. Whether theirs is still above @p
+     * part of what it was and above that of the others, in fewer than @p most
+     * iterations. */
+    bool
+    are_worth_it(const double part, const unsigned int most);
+
+  private:
+    const FiberMesh  &mesh;
+    System           &system;
+    std::vector<char> moving;         // blocks; empty: all
+    double            first      = 0; // unbalanced force, to begin with [N]
+    unsigned int      iterations = 0;
+  };
+} // namespace fiberloom
+
+#endif
