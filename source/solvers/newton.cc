@@ -43,7 +43,6 @@ namespace fiberloom
     , watch(std::move(watch))
     , bounds(mesh, system, largest_move)
     , moving(mesh, system)
-    , of_few(system, "double factor")
   {}
 
 
@@ -56,7 +55,7 @@ namespace fiberloom
   {
     begin();
     bounds.release();
-    of_few.forget();
+    of_few.reset();
     unsigned int n       = 0; // iterations with this stiffness
     const auto   stiffen = [&]() {
       if (penetration == nullptr ||
@@ -85,8 +84,7 @@ namespace fiberloom
         watch({residual, damping, last_factor});
         if (!moves && n > 0 && depths_are_known(problem) && stiffen())
           continue;
-        if (!moves && (residual < tolerance(problem) || is_near_enough) &&
-            is_at_rest(state, problem))
+        if (!moves && is_balanced(problem) && is_at_rest(state, problem))
           {
             if (stiffen())
               continue;
@@ -125,6 +123,14 @@ namespace fiberloom
              std::max(increment.tolerance() / largest_change,
                       system.rounding_force() / increment.scale(problem)) :
              increment.tolerance();
+  }
+
+
+
+  bool
+  Newton::is_balanced(const Problem &problem) const
+  {
+    return residual < tolerance(problem) || is_near_enough;
   }
 
 
@@ -231,7 +237,7 @@ namespace fiberloom
     lagged = 0;
     measure(problem);
     limits_are_new = true;
-    return residual < tolerance(problem) || is_near_enough;
+    return is_balanced(problem);
   }
 
 
@@ -561,6 +567,8 @@ namespace fiberloom
     Eigen::VectorXd increment = Eigen::VectorXd::Zero(system.layout().n_dofs());
     increment.head(way.size()) = way;
     moving.choose(system.motion().largest_moves(increment), poor_model);
+    if (!moving.are_all() && !of_few)
+      of_few = std::make_unique<LinearSolver>(system, "double factor");
   }
 
 

@@ -11,6 +11,7 @@
 #include <fiberloom/solvers/penetration.h>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace fiberloom
@@ -137,6 +138,10 @@ namespace fiberloom
     double
     tolerance(const Problem &problem) const;
 
+    /** Below the tolerance, or as near to balance as the problem asks. */
+    bool
+    is_balanced(const Problem &problem) const;
+
     /** Well enough to stiffen zones that are too deep. */
     bool
     depths_are_known(const Problem &problem) const;
@@ -199,7 +204,7 @@ namespace fiberloom
     LinearSolver &
     solver()
     {
-      return moving.are_all() ? linear_solver : of_few;
+      return moving.are_all() ? linear_solver : *of_few;
     }
 
     /** Over all ranks. */
@@ -312,23 +317,23 @@ namespace fiberloom
     std::vector<double> gradient; // with the sign of a right hand side
     Step                other;    // without contacts that are to close
     FiberBounds         bounds;
-    MovingFibers        moving;                 // in this iteration
-    LinearSolver        of_few;                 // of these
-    bool                is_bounded     = false; // fibers, in this iteration
-    bool                is_exact       = true;  // the tangent of this iteration
-    bool                trusted        = true;  // the model of the last one
-    bool                is_near_enough = false; // as Problem asks
-    bool                ends_exactly   = false; // the step before, or it cannot
-    double              damping        = 0;     // over E r
-    double              residual       = 0;     // over its scale
-    double              lagged         = 0; // that, when limits were last set
-    bool                limits_are_new = false; // of friction, at this state
-    double              coupled_below  = 0; // this residual limits may follow
-    double              coupled_since  = 0; // this one they do; 0: they lag
-    double              last_factor    = 1;
-    unsigned int        last_krylov    = 0; // iterations, with such limits
-    bool                factor_is_behind     = false; // the matrix
-    int                 last_negative_pivots = 0;
+    MovingFibers        moving;                // in this iteration
+    std::unique_ptr<LinearSolver> of_few;      // of these, once there are few
+    bool         is_bounded           = false; // fibers, in this iteration
+    bool         is_exact             = true;  // the tangent of this iteration
+    bool         trusted              = true;  // the model of the last one
+    bool         is_near_enough       = false; // as Problem asks
+    bool         ends_exactly         = false; // the step before, or it cannot
+    double       damping              = 0;     // over E r
+    double       residual             = 0;     // over its scale
+    double       lagged               = 0; // that, when limits were last set
+    bool         limits_are_new       = false; // of friction, at this state
+    double       coupled_below        = 0; // this residual limits may follow
+    double       coupled_since        = 0; // this one they do; 0: they lag
+    double       last_factor          = 1;
+    unsigned int last_krylov          = 0;     // iterations, with such limits
+    bool         factor_is_behind     = false; // the matrix
+    int          last_negative_pivots = 0;
   };
 } // namespace fiberloom
 
