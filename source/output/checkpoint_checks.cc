@@ -77,15 +77,11 @@ namespace fiberloom
     void
     check_order(const ContactState &contact)
     {
-      const auto by_fibers = [](const auto &a, const auto &b) {
-        return a.fibers < b.fibers;
-      };
-      demand(std::is_sorted(contact.zones.begin(),
-                            contact.zones.end(),
-                            by_fibers) &&
-               std::is_sorted(contact.history.begin(),
-                              contact.history.end(),
-                              by_fibers) &&
+      demand(std::is_sorted(contact.history.begin(),
+                            contact.history.end(),
+                            [](const auto &a, const auto &b) {
+                              return a.fibers < b.fibers;
+                            }) &&
                std::is_sorted(contact.plates.begin(),
                               contact.plates.end(),
                               [](const auto &a, const auto &b) {
@@ -96,9 +92,9 @@ namespace fiberloom
     }
 
     void
-    check_contact(const ContactState &contact, const FiberMesh &mesh)
+    check_zones(const std::vector<ContactZone> &zones, const FiberMesh &mesh)
     {
-      for (const ContactZone &zone : contact.zones)
+      for (const ContactZone &zone : zones)
         {
           bool good = std::abs(zone.side) <= 1 &&
                       is_within(zone.stiffness, 0, largest_number);
@@ -111,6 +107,18 @@ namespace fiberloom
             good = good && cell >= 0 && parts > 0 && parts <= most_parts;
           demand(good, "a zone of contact");
         }
+      demand(std::is_sorted(zones.begin(),
+                            zones.end(),
+                            [](const auto &a, const auto &b) {
+                              return a.fibers < b.fibers;
+                            }),
+             "an order of contacts");
+    }
+
+    void
+    check_contact(const ContactState &contact, const FiberMesh &mesh)
+    {
+      check_zones(contact.zones, mesh);
       for (const FrictionHistory &entry : contact.history)
         demand(is_on_fibers(entry.fibers, entry.u, mesh) && is_near(entry.slip),
                "a slip of friction");
@@ -260,6 +268,7 @@ namespace fiberloom
     check_placements(state.placements);
     check_placements(state.stage_start_placements);
     check_placements(state.previous.placements);
+    check_zones(state.stage_start_zones, mesh.with_images());
     check_contact(state.contact, mesh.with_images());
     check_placements(state.coarse.placements);
     check_contact(state.coarse.contact, mesh.with_images());

@@ -188,6 +188,67 @@ namespace fiberloom
 
 
 
+    bool
+    follows_relax(const State &state)
+    {
+      return !state.stages_done.empty() && state.stages_done.back() == "relax";
+    }
+
+
+
+    /**
+     * With stiffer contact the sample would have been relaxed elsewhere: moves
+     * @p start and @p state , of the finer @p scene , by as much as where their
+     * stage begins moves. Throws StageFailure where that takes too long.
+     */
+    void
+    begin_where_relaxed(const Scene                 &scene,
+                        const MPI_Comm               comm,
+                        const std::function<void()> &ask,
+                        State                       &start,
+                        State                       &state)
+    {
+      State relaxed         = state;
+      relaxed.q             = state.stage_start_q;
+      relaxed.placements    = state.stage_start_placements;
+      relaxed.contact.zones = state.stage_start_zones;
+      relaxed.contact.history.clear();
+      const auto           stage    = create_stage("relax", scene);
+      const Supports       supports = stage->supports(relaxed.q);
+      System               system(scene.mesh, supports, comm, scene.composite);
+      StageStatistics      statistics;
+      ContactGenerator     generator(scene.fibers,
+                                 scene.mesh,
+                                 scene.parameters.contact,
+                                 comm);
+      Equilibrium          equilibrium(scene.mesh,
+                              scene.parameters,
+                              generator,
+                              system,
+                              statistics,
+                              [&ask](const Equilibrium::Progress &) { ask(); });
+      const State          before = relaxed;
+      Equilibrium::Problem problem{before,
+                                   {stage->targets(before.placements, 1), {}},
+                                   stage->rule(1)};
+      problem.rule.points_follow = true;
+      problem.rule.friction      = false;
+      if (!equilibrium.approach(relaxed, problem, most_iterations))
+        throw StageFailure("the iterations of an estimate do not settle");
+
+      for (State *moved : {&start, &state})
+        {
+          moved->q += relaxed.q - before.q;
+          moved->stage_start_q = relaxed.q;
+          for (unsigned int b = 0; b < relaxed.placements.size(); ++b)
+            moved->placements[b].position +=
+              relaxed.placements[b].position - before.placements[b].position;
+          moved->stage_start_placements = relaxed.placements;
+        }
+    }
+
+
+
     /** A state, and what iterations make of it with other parameters. */
     struct Response
     {
@@ -214,8 +275,14 @@ namespace fiberloom
       const FiberSet   fibers     = build_fiber_set(parameters);
       const FiberMesh  mesh(fibers);
       const Transfer   transfer(scene, found.matrix, mesh, refinement);
-      const State      start     = transfer(before);
-      State            state     = transfer(found);
+      State            start = transfer(before);
+      State            state = transfer(found);
+      if (refinement.stiffness != 1 && follows_relax(before))
+        begin_where_relaxed({parameters, fibers, mesh, transfer.finer()},
+                            comm,
+                            ask,
+                            start,
+                            state);
       state.contact.history      = start.contact.history;
       state.contact.plates       = start.contact.plates;
       const Composite *composite = transfer.finer();

@@ -78,15 +78,16 @@ namespace fiberloom
           *q << fibers, matrix;
         }
     state.matrix = finer_matrix;
-    for (ContactZone &zone : state.contact.zones)
-      {
-        for (unsigned int s = 0; s < 2; ++s)
-          for (double &u : zone.range[s])
-            u *= ratio(zone.fibers[s]);
-        zone.stiffness *= refinement.stiffness;
-        if (refinement.stations != 1)
-          zone.divided.clear();
-      }
+    for (auto *zones : {&state.stage_start_zones, &state.contact.zones})
+      for (ContactZone &zone : *zones)
+        {
+          for (unsigned int s = 0; s < 2; ++s)
+            for (double &u : zone.range[s])
+              u *= ratio(zone.fibers[s]);
+          zone.stiffness *= refinement.stiffness;
+          if (refinement.stations != 1)
+            zone.divided.clear();
+        }
     state.fibers = fiber_history(state.fibers);
     for (FrictionHistory &slip : state.contact.history)
       for (unsigned int s = 0; s < 2; ++s)

@@ -178,6 +178,7 @@ namespace fiberloom
     stage.begin(first);
     first.stage_start_placements = first.placements;
     first.stage_start_q          = state.q;
+    first.stage_start_zones      = state.contact.zones;
     first.step                   = stage.first_step(first);
     return first;
   }

@@ -152,7 +152,7 @@ namespace fiberloom
     generated_at.resize(0);
     trusted        = true;
     damping        = 0;
-    coupled_below  = 1e300;
+    coupled_below  = 1;
     coupled_since  = 0;
     residual       = 1e300;
     lagged         = 0;
@@ -177,24 +177,28 @@ namespace fiberloom
   Newton::refresh(State &state, const Problem &problem)
   {
     const bool begins = generated_at.size() == 0;
-    if (begins ||
-        system.motion().largest_move(state.q - generated_at) > stale_after)
+    const bool halved = has_halved(state, problem);
+    if (halved)
       {
-        if (begins)
-          increment.regenerate(state, problem);
-        else
-          increment.generate(state, problem);
-        generated_at   = state.q;
-        limits_are_new = !begins;
-        lagged         = 0;
-        return;
-      }
-    if (problem.rule.friction && has_improved(state, problem))
-      {
-        increment.update_normals(state, problem);
         lagged         = 0;
         limits_are_new = true;
       }
+    if (begins ||
+        system.motion().largest_move(state.q - generated_at) > stale_after)
+      {
+        // Far from balance normal forces say nothing of friction's limits.
+        if (begins || (problem.rule.friction && !halved))
+          {
+            increment.regenerate(state, problem);
+            limits_are_new = false;
+          }
+        else
+          increment.generate(state, problem);
+        generated_at = state.q;
+        return;
+      }
+    if (halved)
+      increment.update_normals(state, problem);
     ScopedTimer timer(statistics.seconds.assembly);
     // Points may have slid onto other elements.
     const DofVector q = mesh.with_images(state.q);
@@ -207,13 +211,13 @@ namespace fiberloom
 
 
   bool
-  Newton::has_improved(const State &state, const Problem &problem)
+  Newton::has_halved(const State &state, const Problem &problem)
   {
-    if (limits_are_new || lagged == 0)
+    if (!problem.rule.friction || limits_are_new || lagged == 0)
       return false;
     const double reached = increment.measure(state, problem);
     lagged               = std::max(lagged, reached);
-    return reached < good_model * lagged;
+    return 2 * reached < lagged;
   }
 
 

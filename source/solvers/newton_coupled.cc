@@ -57,6 +57,8 @@ namespace fiberloom
             if (!reach_coupled(there, problem, step, factor))
               continue;
             correct_coupled(there, problem);
+            if (!(there.residual < residual))
+              continue;
             state        = std::move(there.state);
             generated_at = state.q;
             if (coupled_since == 0)
@@ -108,7 +110,8 @@ namespace fiberloom
         CoupledStep next;
         next.state    = there.state;
         next.residual = there.residual;
-        if (!reach_coupled(next, problem, there.next, 1))
+        if (!reach_coupled(next, problem, there.next, 1) ||
+            !(next.residual < there.residual))
           {
             increment.take_back(kept);
             return;

@@ -50,13 +50,14 @@ namespace fiberloom
   struct State
   {
     // Fiber dofs, see FiberMesh, then positions of the matrix's nodes.
-    DofVector              q;
-    MatrixState            matrix;
-    std::vector<Placement> placements; // of the rigid bodies of the stage
-    std::vector<Placement> stage_start_placements;
-    DofVector              stage_start_q;
-    ContactState           contact;
-    FiberHistory           fibers;
+    DofVector                q;
+    MatrixState              matrix;
+    std::vector<Placement>   placements; // of the rigid bodies of the stage
+    std::vector<Placement>   stage_start_placements;
+    DofVector                stage_start_q;
+    std::vector<ContactZone> stage_start_zones;
+    ContactState             contact;
+    FiberHistory             fibers;
 
     Past       previous; // one increment ago, to extrapolate from
     CoarseRest coarse;   // of a stage without an increment
@@ -107,8 +108,8 @@ namespace fiberloom
           for (auto &value : *dofs)
             ar &value;
         }
-      ar                                     &matrix;
-      ar &placements &stage_start_placements &contact;
+      ar                                                        &matrix;
+      ar &placements &stage_start_placements &stage_start_zones &contact;
       ar &previous.placements &previous.load &coarse.placements &coarse.contact;
       ar &stage &increment &load &step                          &dissipation;
       ar &stages_done &scene_stages                             &fibers;

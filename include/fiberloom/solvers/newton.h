@@ -159,10 +159,10 @@ namespace fiberloom
     void
     refresh(State &state, const Problem &problem);
 
-    /** Whether the residual has fallen enough, since limits of friction were
-     * set, for new ones. */
+    /** Whether the residual has halved since limits of friction were set, so
+     * that there may be new ones. */
     bool
-    has_improved(const State &state, const Problem &problem);
+    has_halved(const State &state, const Problem &problem);
 
     /** Whether the Hessian may be definite: the last step did not tell
      * otherwise, and a weave's forces are about right. */
