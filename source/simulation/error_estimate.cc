@@ -26,7 +26,7 @@ namespace fiberloom
     // all have changed, or by what no accuracy asks for; not in so many, and
     // nothing is known of the error.
     constexpr unsigned int first_iterations = 2, most_iterations = 64;
-    constexpr double       settled_part = .25, negligible = 2e-4;
+    constexpr double       settled_part = .1, negligible = 2e-4;
 
     // Columns that are smaller than this part of what is usual have no scale.
     constexpr double least_scale = 1e-3;
@@ -196,6 +196,20 @@ namespace fiberloom
 
 
 
+    State
+    at_start_of_stage(State state)
+    {
+      state.q             = state.stage_start_q;
+      state.placements    = state.stage_start_placements;
+      state.contact.zones = state.stage_start_zones;
+      state.contact.history.clear();
+      state.contact.plates.clear();
+      state.load = 0;
+      return state;
+    }
+
+
+
     /**
      * With stiffer contact the sample would have been relaxed elsewhere: moves
      * @p start and @p state , of the finer @p scene , by as much as where their
@@ -208,12 +222,9 @@ namespace fiberloom
                         State                       &start,
                         State                       &state)
     {
-      State relaxed         = state;
-      relaxed.q             = state.stage_start_q;
-      relaxed.placements    = state.stage_start_placements;
-      relaxed.contact.zones = state.stage_start_zones;
-      relaxed.contact.history.clear();
-      const auto           stage    = create_stage("relax", scene);
+      State      relaxed = at_start_of_stage(state);
+      const auto stage   = create_stage("relax", scene);
+      stage->begin(relaxed);
       const Supports       supports = stage->supports(relaxed.q);
       System               system(scene.mesh, supports, comm, scene.composite);
       StageStatistics      statistics;
@@ -240,10 +251,13 @@ namespace fiberloom
         {
           moved->q += relaxed.q - before.q;
           moved->stage_start_q = relaxed.q;
+          // The test may have more bodies: its plates stay where they are.
           for (unsigned int b = 0; b < relaxed.placements.size(); ++b)
-            moved->placements[b].position +=
-              relaxed.placements[b].position - before.placements[b].position;
-          moved->stage_start_placements = relaxed.placements;
+            {
+              moved->placements[b].position +=
+                relaxed.placements[b].position - before.placements[b].position;
+              moved->stage_start_placements[b] = relaxed.placements[b];
+            }
         }
     }
 
@@ -392,12 +406,31 @@ namespace fiberloom
           }
         if (now.penetration > 0 && !of_model)
           {
+            // What stiffer contact changes where the stage begins would not be
+            // there if all had been done with it.
+            const auto begun_with = [&](const double factor) -> Eigen::ArrayXd {
+              if (found.stages_done.empty() || follows_relax(found))
+                return Eigen::ArrayXd::Zero(mesh.size());
+              const State begun      = at_start_of_stage(found);
+              const auto  solve_with = [&](const double stiffness) {
+                return solve(scene,
+                             name,
+                             begun,
+                             begun,
+                             {1, 1, stiffness},
+                             nullptr,
+                             comm,
+                             ask)
+                  .after;
+              };
+              return change(solve_with(1), solve_with(factor), scale);
+            };
             // The penetration goes with the error, and both are to vanish.
             const auto penetration_with =
               [&](const double factor) -> Eigen::ArrayXd {
               const Outcome stiffer = solve_with({1, 1, factor});
               return now.penetration / (now.penetration - stiffer.penetration) *
-                     change(now, stiffer, scale);
+                     (change(now, stiffer, scale) - begun_with(factor));
             };
             penetration = penetration_with(stiffening);
             if (largest(penetration) > checked_from &&
