@@ -378,8 +378,8 @@ main()
           checks, name, element, mesh.reference(), q, poisson_ratio);
       }
 
-  // Only compression makes a straight element's energy concave; any other
-  // stresses may, too, but not what is left of it without what is negative.
+  // Of a straight element compression alone makes the energy concave, of a bent
+  // and twisted one other stresses as well; absolute values never do.
   const double    poisson_ratio = .3, strain = .01;
   const FiberMesh straight(
     loose_fibers({curved_fiber(line, 1, Vector3(.2, .4, 1), poisson_ratio)}));

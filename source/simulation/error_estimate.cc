@@ -325,11 +325,7 @@ namespace fiberloom
           generator.generate(state.q, start.q, problem.rule, state.contact);
         system.reinit(contacts);
         system.assemble_residual(state, problem.targets, contacts);
-        State begun      = state;
-        begun.q          = state.stage_start_q;
-        begun.placements = state.stage_start_placements;
-        begun.load       = 0;
-        return {stage->curve(begun,
+        return {stage->curve(at_start_of_stage(state),
                              std::vector<BodyVector>(supports.bodies.size(),
                                                      BodyVector::Zero())),
                 stage->curve(state, system.reactions()),
@@ -411,8 +407,8 @@ namespace fiberloom
             const auto begun_with = [&](const double factor) -> Eigen::ArrayXd {
               if (found.stages_done.empty() || follows_relax(found))
                 return Eigen::ArrayXd::Zero(mesh.size());
-              const State begun      = at_start_of_stage(found);
-              const auto  solve_with = [&](const double stiffness) {
+              const State begun = at_start_of_stage(found);
+              const auto  begin = [&](const double stiffness) {
                 return solve(scene,
                              name,
                              begun,
@@ -423,7 +419,7 @@ namespace fiberloom
                              ask)
                   .after;
               };
-              return change(solve_with(1), solve_with(factor), scale);
+              return change(begin(1), begin(factor), scale);
             };
             // The penetration goes with the error, and both are to vanish.
             const auto penetration_with =

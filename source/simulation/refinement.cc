@@ -90,11 +90,8 @@ namespace fiberloom
         }
     state.fibers = fiber_history(state.fibers);
     for (FrictionHistory &slip : state.contact.history)
-      {
-        for (unsigned int s = 0; s < 2; ++s)
-          slip.u[s] *= ratio(slip.fibers[s]);
-        slip.slip /= refinement.stiffness; // of the same force
-      }
+      for (unsigned int s = 0; s < 2; ++s)
+        slip.u[s] *= ratio(slip.fibers[s]);
     for (PlateHistory &slip : state.contact.plates)
       slip.u *= ratio(slip.fiber);
     return state;

@@ -29,8 +29,8 @@ namespace fiberloom
    * friction that of fibers, too, and no fiber goes further than its own bound;
    * where few still move, these come to rest by themselves.
    * Where they are new, friction's limits follow the normal forces within the
-   * linear system, as long as the residual or the steps that are left get
-   * smaller.
+   * linear system, as long as the residual gets smaller, and it or the step
+   * that is left much smaller.
    */
   class Newton
   {
