@@ -26,7 +26,7 @@ namespace fiberloom
     // all have changed, or by what no accuracy asks for; not in so many, and
     // nothing is known of the error.
     constexpr unsigned int first_iterations = 2, most_iterations = 64;
-    constexpr double       settled_part = .1, negligible = 2e-4;
+    constexpr double       settled_part = .05, negligible = 2e-4;
 
     // Columns that are smaller than this part of what is usual have no scale.
     constexpr double least_scale = 1e-3;
@@ -341,8 +341,9 @@ namespace fiberloom
       for (unsigned int n = first_iterations; done < most_iterations; n = done)
         {
           const Outcome last    = response.after;
-          const bool    at_rest = equilibrium.approach(state, problem, n);
-          response.after        = outcome();
+          const bool    at_rest = equilibrium.approach(
+            state, problem, n, done == 0 ? refinement.stiffness : 1);
+          response.after = outcome();
           if (at_rest)
             return response;
           if (done > 0)

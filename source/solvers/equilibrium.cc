@@ -361,11 +361,17 @@ namespace fiberloom
   bool
   Equilibrium::approach(State             &state,
                         const Problem     &problem,
-                        const unsigned int n)
+                        const unsigned int n,
+                        const double       stiffer)
   {
     increment.generate(state, problem);
     if (increment.contacts.empty())
       return newton(state, problem);
+    for (ContactElement &contact : increment.contacts)
+      {
+        contact.friction_limit /= stiffer;
+        contact.normal_force_before /= stiffer;
+      }
     return by_newton.solve(state, problem, n);
   }
 

@@ -81,9 +81,14 @@ namespace fiberloom
     solve_from(State &state, const Problem &problem);
 
     /** At most @p n iterations of Newton's method, or all that it takes where
-     * nothing touches; whether they lead to balance. */
+     * nothing touches; whether they lead to balance. Where contact is
+     * @p stiffer than when @p state was found, friction begins with limits by
+     * the forces of then. */
     bool
-    approach(State &state, const Problem &problem, const unsigned int n);
+    approach(State             &state,
+             const Problem     &problem,
+             const unsigned int n,
+             const double       stiffer = 1);
 
     /**
      * @p n iterations, converged or not, before each of which contacts are
