@@ -210,6 +210,142 @@ namespace fiberloom
 
 
 
+    /** A state, and what iterations make of it. */
+    struct Response
+    {
+      Outcome before, after;
+    };
+
+    /** A stage, and what iterations of it need. */
+    class Trial
+    {
+    public:
+      /** Of a stage @p of the scene that began at @p begun . */
+      Trial(const Scene                 &scene,
+            std::unique_ptr<Stage>       of,
+            const DofVector             &begun,
+            const MPI_Comm               comm,
+            const std::function<void()> &ask)
+        : scene(scene)
+        , stage(std::move(of))
+        , supports(stage->supports(begun))
+        , system(scene.mesh, supports, comm, scene.composite)
+        , generator(scene.fibers, scene.mesh, scene.parameters.contact, comm)
+        , equilibrium(scene.mesh,
+                      scene.parameters,
+                      generator,
+                      system,
+                      statistics,
+                      [&ask](const Equilibrium::Progress &) { ask(); })
+      {}
+
+      /** From @p before to @p load , with placements as at the @p start . */
+      Problem
+      problem(const State                  &before,
+              const std::vector<Placement> &start,
+              const double                  load) const
+      {
+        Problem problem{before,
+                        {stage->targets(start, load), stage->node_forces(load)},
+                        stage->rule(load)};
+        problem.rule.points_follow = true;
+        return problem;
+      }
+
+      /** What the curve shows at @p state . */
+      Outcome
+      outcome(const Problem &problem, State &state);
+
+      /** Balance, or StageFailure where that takes too long. */
+      void
+      balance(const Problem &problem, State &state);
+
+      /**
+       * Iterates until what that changes of the curve has settled; @p from :
+       * what changes are counted from, or null: from @p state . Its contact is
+       * @p stiffer than where it was found. Throws StageFailure where
+       * iterations go on changing it.
+       */
+      Response
+      settle(const Problem &problem,
+             State         &state,
+             const double   stiffer,
+             const Outcome *from);
+
+    private:
+      const Scene            scene;
+      std::unique_ptr<Stage> stage;
+      Supports               supports;
+      System                 system;
+      StageStatistics        statistics;
+      ContactGenerator       generator;
+      Equilibrium            equilibrium;
+    };
+
+
+
+    Outcome
+    Trial::outcome(const Problem &problem, State &state)
+    {
+      std::vector<ContactElement> contacts = generator.generate(
+        state.q, problem.before.q, problem.rule, state.contact);
+      system.reinit(contacts);
+      system.assemble_residual(state, problem.targets, contacts);
+      return {stage->curve(at_start_of_stage(state),
+                           std::vector<BodyVector>(supports.bodies.size(),
+                                                   BodyVector::Zero())),
+              stage->curve(state, system.reactions()),
+              mean_penetration(contacts),
+              contacts.empty() ? scene.parameters.solver.newton_tolerance *
+                                   system.force_scale() :
+                                 0,
+              largest_extent(supports, state.q)};
+    }
+
+
+
+    void
+    Trial::balance(const Problem &problem, State &state)
+    {
+      if (!equilibrium.approach(state, problem, most_iterations))
+        throw StageFailure("the iterations of an estimate do not settle");
+    }
+
+
+
+    Response
+    Trial::settle(const Problem &problem,
+                  State         &state,
+                  const double   stiffer,
+                  const Outcome *from)
+    {
+      Response     response{outcome(problem, state), {}};
+      unsigned int done = 0;
+      for (unsigned int n = first_iterations; done < most_iterations; n = done)
+        {
+          const Outcome last = response.after;
+          const bool    at_rest =
+            equilibrium.approach(state, problem, n, done == 0 ? stiffer : 1);
+          response.after = outcome(problem, state);
+          if (at_rest)
+            return response;
+          if (done > 0)
+            {
+              const auto scale =
+                scales(response.after, scene.mesh.smallest_radius());
+              const double moved = largest(
+                change(from ? *from : response.before, response.after, scale));
+              if (largest(change(last, response.after, scale)) <=
+                  std::max(settled_part * moved, negligible))
+                return response;
+            }
+          done += n;
+        }
+      throw StageFailure("the iterations of an estimate do not settle");
+    }
+
+
+
     /**
      * With stiffer contact the sample would have been relaxed elsewhere: moves
      * @p start and @p state , of the finer @p scene , by as much as where their
@@ -222,30 +358,14 @@ namespace fiberloom
                         State                       &start,
                         State                       &state)
     {
-      State      relaxed = at_start_of_stage(state);
-      const auto stage   = create_stage("relax", scene);
-      stage->begin(relaxed);
-      const Supports       supports = stage->supports(relaxed.q);
-      System               system(scene.mesh, supports, comm, scene.composite);
-      StageStatistics      statistics;
-      ContactGenerator     generator(scene.fibers,
-                                 scene.mesh,
-                                 scene.parameters.contact,
-                                 comm);
-      Equilibrium          equilibrium(scene.mesh,
-                              scene.parameters,
-                              generator,
-                              system,
-                              statistics,
-                              [&ask](const Equilibrium::Progress &) { ask(); });
-      const State          before = relaxed;
-      Equilibrium::Problem problem{before,
-                                   {stage->targets(before.placements, 1), {}},
-                                   stage->rule(1)};
-      problem.rule.points_follow = true;
-      problem.rule.friction      = false;
-      if (!equilibrium.approach(relaxed, problem, most_iterations))
-        throw StageFailure("the iterations of an estimate do not settle");
+      State relaxed = at_start_of_stage(state);
+      auto  relax   = create_stage("relax", scene);
+      relax->begin(relaxed);
+      Trial       trial(scene, std::move(relax), relaxed.q, comm, ask);
+      const State before    = relaxed;
+      Problem     problem   = trial.problem(before, before.placements, 1);
+      problem.rule.friction = false;
+      trial.balance(problem, relaxed);
 
       for (State *moved : {&start, &state})
         {
@@ -263,102 +383,166 @@ namespace fiberloom
 
 
 
-    /** A state, and what iterations make of it with other parameters. */
-    struct Response
+    /** Of the last increment of a stage, by refining its scene. */
+    class Estimate
     {
-      Outcome before, after;
+    public:
+      Estimate(const Scene                 &scene,
+               const std::string           &name,
+               const State                 &before,
+               const State                 &found,
+               const MPI_Comm               comm,
+               const std::function<void()> &ask)
+        : scene(scene)
+        , name(name)
+        , before(before)
+        , found(found)
+        , comm(comm)
+        , ask(ask)
+      {}
+
+      ErrorEstimate
+      error();
+
+    private:
+      /** What iterations make of @p found with other parameters; as
+       * Trial::settle(). */
+      Response
+      respond(const State      &before,
+              const State      &found,
+              const Refinement &refinement,
+              const Outcome    *from = nullptr) const;
+
+      /** By how much the curve changes. */
+      Eigen::ArrayXd
+      change_by(const Refinement &refinement) const
+      {
+        return change(now,
+                      respond(before, found, refinement, &now).after,
+                      scale);
+      }
+
+      /** What stiffer contact changes where the stage begins: it would not be
+       * there if all had been done with it. */
+      Eigen::ArrayXd
+      change_of_start(const double factor) const;
+
+      /** Of the penetration, if contact that is so much stiffer tells. */
+      Eigen::ArrayXd
+      penetration_by(const double factor) const;
+
+      const Scene                  &scene;
+      const std::string            &name;
+      const State                  &before, &found;
+      const MPI_Comm                comm;
+      const std::function<void()>  &ask;
+      Outcome                       now;   // without refinement
+      std::map<std::string, double> scale; // of units
     };
 
-    /**
-     * What iterations make of @p found with other parameters; @p from : what
-     * changes are counted from, or null: from the state itself. Throws
-     * StageFailure where they go on changing it.
-     */
+
+
     Response
-    solve(const Scene                 &scene,
-          const std::string           &name,
-          const State                 &before,
-          const State                 &found,
-          const Refinement            &refinement,
-          const Outcome               *from,
-          const MPI_Comm               comm,
-          const std::function<void()> &ask)
+    Estimate::respond(const State      &before,
+                      const State      &found,
+                      const Refinement &refinement,
+                      const Outcome    *from) const
     {
       ask();
       const Parameters parameters = refine(scene.parameters, refinement);
       const FiberSet   fibers     = build_fiber_set(parameters);
       const FiberMesh  mesh(fibers);
       const Transfer   transfer(scene, found.matrix, mesh, refinement);
+      const Scene      refined{parameters, fibers, mesh, transfer.finer()};
       State            start = transfer(before);
       State            state = transfer(found);
       if (refinement.stiffness != 1 && follows_relax(before))
-        begin_where_relaxed({parameters, fibers, mesh, transfer.finer()},
-                            comm,
-                            ask,
-                            start,
-                            state);
-      state.contact.history      = start.contact.history;
-      state.contact.plates       = start.contact.plates;
-      const Composite *composite = transfer.finer();
-      const auto       stage =
-        create_stage(name, {parameters, fibers, mesh, composite});
-      const Supports       supports = stage->supports(state.stage_start_q);
-      System               system(mesh, supports, comm, composite);
-      StageStatistics      statistics;
-      ContactGenerator     generator(fibers, mesh, parameters.contact, comm);
-      Equilibrium          equilibrium(mesh,
-                              parameters,
-                              generator,
-                              system,
-                              statistics,
-                              [&ask](const Equilibrium::Progress &) { ask(); });
-      const double         load = found.load;
-      Equilibrium::Problem problem{start,
-                                   {stage->targets(state.stage_start_placements,
-                                                   load),
-                                    stage->node_forces(load)},
-                                   stage->rule(load)};
-      problem.rule.points_follow = true;
+        begin_where_relaxed(refined, comm, ask, start, state);
+      state.contact.history = start.contact.history;
+      state.contact.plates  = start.contact.plates;
+      Trial trial(
+        refined, create_stage(name, refined), state.stage_start_q, comm, ask);
+      return trial.settle(trial.problem(start,
+                                        state.stage_start_placements,
+                                        found.load),
+                          state,
+                          refinement.stiffness,
+                          from);
+    }
 
-      const auto outcome = [&]() -> Outcome {
-        std::vector<ContactElement> contacts =
-          generator.generate(state.q, start.q, problem.rule, state.contact);
-        system.reinit(contacts);
-        system.assemble_residual(state, problem.targets, contacts);
-        return {stage->curve(at_start_of_stage(state),
-                             std::vector<BodyVector>(supports.bodies.size(),
-                                                     BodyVector::Zero())),
-                stage->curve(state, system.reactions()),
-                mean_penetration(contacts),
-                contacts.empty() ?
-                  parameters.solver.newton_tolerance * system.force_scale() :
-                  0,
-                largest_extent(supports, state.q)};
-      };
 
-      Response     response{outcome(), {}};
-      unsigned int done = 0;
-      for (unsigned int n = first_iterations; done < most_iterations; n = done)
+
+    Eigen::ArrayXd
+    Estimate::change_of_start(const double factor) const
+    {
+      if (found.stages_done.empty() || follows_relax(found))
+        return Eigen::ArrayXd::Zero(now.curve.size());
+      const State begun = at_start_of_stage(found);
+      return change(respond(begun, begun, {1, 1, 1}).after,
+                    respond(begun, begun, {1, 1, factor}).after,
+                    scale);
+    }
+
+
+
+    Eigen::ArrayXd
+    Estimate::penetration_by(const double factor) const
+    {
+      // The penetration goes with the error, and both are to vanish.
+      const Outcome stiffer =
+        respond(before, found, {1, 1, factor}, &now).after;
+      return now.penetration / (now.penetration - stiffer.penetration) *
+             (change(now, stiffer, scale) - change_of_start(factor));
+    }
+
+
+
+    ErrorEstimate
+    Estimate::error()
+    {
+      const Response unrefined = respond(before, found, {});
+      now                      = unrefined.after;
+      scale                    = scales(now, scene.mesh.smallest_radius());
+      if (scale.count("[N]") + scale.count("[N.mm]") + scale.count("[MPa]") ==
+          0)
+        return {};
+      const Eigen::ArrayXd mesh = of_second_order * change_by({2, 1, 1});
+      // Of a stiffness that the scene gives, penetration is the model's.
+      const bool     of_model = scene.parameters.contact.line_stiffness > 0;
+      Eigen::ArrayXd matrix   = Eigen::ArrayXd::Zero(mesh.size()),
+                     stations = matrix, penetration = matrix;
+      if (scene.composite)
+        matrix = of_second_order * change_by({1, 1, 1, 2});
+      if (now.penetration > 0)
+        stations = of_second_order * change_by({1, 2, 1});
+      if (now.penetration > 0 && !of_model)
         {
-          const Outcome last    = response.after;
-          const bool    at_rest = equilibrium.approach(
-            state, problem, n, done == 0 ? refinement.stiffness : 1);
-          response.after = outcome();
-          if (at_rest)
-            return response;
-          if (done > 0)
-            {
-              const auto scale =
-                scales(response.after, scene.mesh.smallest_radius());
-              const double moved = largest(
-                change(from ? *from : response.before, response.after, scale));
-              if (largest(change(last, response.after, scale)) <=
-                  std::max(settled_part * moved, negligible))
-                return response;
-            }
-          done += n;
+          penetration = penetration_by(stiffening);
+          if (largest(penetration) > checked_from &&
+              largest(penetration_by(std::sqrt(stiffening)) - penetration) >
+                largest_disagreement * largest(penetration))
+            return {};
         }
-      throw StageFailure("the iterations of an estimate do not settle");
+      const Eigen::ArrayXd tolerance =
+        of_tolerance * change(unrefined.before, now, scale);
+      const Eigen::ArrayXd together =
+        (mesh + stations + penetration + matrix + tolerance).abs();
+      const Eigen::ArrayXd alone =
+        mesh.abs().max(stations.abs()).max(penetration.abs()).max(matrix.abs());
+      const Eigen::ArrayXd total = together.max(least_part * alone);
+      Eigen::Index         worst;
+      total.maxCoeff(&worst);
+      const std::string column = now.curve[worst].first;
+      const auto        its    = scale.find(unit(column));
+      constexpr double  none   = std::numeric_limits<double>::quiet_NaN();
+      return {largest(mesh),
+              largest(stations),
+              of_model ? none : largest(penetration),
+              scene.composite ? largest(matrix) : none,
+              largest(total),
+              largest(tolerance),
+              column,
+              its == scale.end() ? 0 : total[worst] * its->second};
     }
   } // namespace
 
@@ -376,87 +560,7 @@ namespace fiberloom
       return {};
     try
       {
-        const Response unrefined =
-          solve(scene, name, before, found, {}, nullptr, comm, ask);
-        const Outcome &now        = unrefined.after;
-        const auto     solve_with = [&](const Refinement &refinement) {
-          return solve(scene, name, before, found, refinement, &now, comm, ask)
-            .after;
-        };
-        const auto scale = scales(now, scene.mesh.smallest_radius());
-        if (scale.count("[N]") + scale.count("[N.mm]") + scale.count("[MPa]") ==
-            0)
-          return {};
-        const Outcome        finer = solve_with({2, 1, 1});
-        const Eigen::ArrayXd mesh = of_second_order * change(now, finer, scale);
-        // Of a stiffness that the scene gives, penetration is the model's.
-        const bool     of_model = scene.parameters.contact.line_stiffness > 0;
-        Eigen::ArrayXd matrix   = Eigen::ArrayXd::Zero(mesh.size()),
-                       stations = matrix, penetration = matrix;
-        if (scene.composite)
-          matrix =
-            of_second_order * change(now, solve_with({1, 1, 1, 2}), scale);
-        if (now.penetration > 0)
-          {
-            const Outcome denser = solve_with({1, 2, 1});
-            stations             = of_second_order * change(now, denser, scale);
-          }
-        if (now.penetration > 0 && !of_model)
-          {
-            // What stiffer contact changes where the stage begins would not be
-            // there if all had been done with it.
-            const auto begun_with = [&](const double factor) -> Eigen::ArrayXd {
-              if (found.stages_done.empty() || follows_relax(found))
-                return Eigen::ArrayXd::Zero(mesh.size());
-              const State begun = at_start_of_stage(found);
-              const auto  begin = [&](const double stiffness) {
-                return solve(scene,
-                             name,
-                             begun,
-                             begun,
-                             {1, 1, stiffness},
-                             nullptr,
-                             comm,
-                             ask)
-                  .after;
-              };
-              return change(begin(1), begin(factor), scale);
-            };
-            // The penetration goes with the error, and both are to vanish.
-            const auto penetration_with =
-              [&](const double factor) -> Eigen::ArrayXd {
-              const Outcome stiffer = solve_with({1, 1, factor});
-              return now.penetration / (now.penetration - stiffer.penetration) *
-                     (change(now, stiffer, scale) - begun_with(factor));
-            };
-            penetration = penetration_with(stiffening);
-            if (largest(penetration) > checked_from &&
-                largest(penetration_with(std::sqrt(stiffening)) - penetration) >
-                  largest_disagreement * largest(penetration))
-              return {};
-          }
-        const Eigen::ArrayXd tolerance =
-          of_tolerance * change(unrefined.before, now, scale);
-        const Eigen::ArrayXd together =
-          (mesh + stations + penetration + matrix + tolerance).abs();
-        const Eigen::ArrayXd alone = mesh.abs()
-                                       .max(stations.abs())
-                                       .max(penetration.abs())
-                                       .max(matrix.abs());
-        const Eigen::ArrayXd total = together.max(least_part * alone);
-        Eigen::Index         worst;
-        total.maxCoeff(&worst);
-        const std::string column = now.curve[worst].first;
-        const auto        found  = scale.find(unit(column));
-        constexpr double  none   = std::numeric_limits<double>::quiet_NaN();
-        return {largest(mesh),
-                largest(stations),
-                of_model ? none : largest(penetration),
-                scene.composite ? largest(matrix) : none,
-                largest(total),
-                largest(tolerance),
-                column,
-                found == scale.end() ? 0 : total[worst] * found->second};
+        return Estimate(scene, name, before, found, comm, ask).error();
       }
     catch (const StageFailure &)
       {
