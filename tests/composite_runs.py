@@ -4,6 +4,7 @@
 """A small fabric in a matrix: coated without moving, sheared, bent and pulled; restarts, ranks, what a dry scene lacks, refusals."""
 
 import json
+import math
 import os
 import shutil
 import subprocess
@@ -14,6 +15,7 @@ from program_runs import SMALL_WEAVE, SOURCE, check, check_same, command, curve,
 
 MATRIX = ["Matrix/Layers=both", "Matrix/Cells along x=3", "Matrix/Cells along y=3"]
 SHEAR = ["Stages=weave, relax, coat, shear", "Shear/Largest angle=0.15", "Shear/Largest step=0.05"]
+LENGTH = .48  # of the sample [mm]
 CURVE_ONLY = "Solver/Error estimate=false"
 
 
@@ -93,6 +95,19 @@ def main():
     check_run("dry", "dry", "Stages=weave")
     check("a dry scene has no matrix", model("dry")["matrix_dofs"] == model("dry")["junctions"] == 0)
     check("  nor files of it", not os.path.exists(os.path.join("dry", "matrix.pvd")))
+    dry_bend = ["Stages=relax, bend", "Bending/Largest angle=0.2", CURVE_ONLY]
+    for ranks in (1, 2):
+        check_run(f"bent dry, ranks: {ranks}", f"dry_bent_{ranks}", *dry_bend, restart=os.path.join("dry", "checkpoint"),
+                  ranks=ranks)
+    bent, shared = (curve(f"dry_bent_{ranks}")[-1] for ranks in (1, 2))
+    check(f"  moment on 2 ranks {shared['bending_moment[N.mm]']}",
+          abs(shared["bending_moment[N.mm]"] / bent["bending_moment[N.mm]"] - 1) < 1e-4)
+    # Six rods that slide on each other without friction, bent to an arc.
+    least = 6 * 73000 * math.pi * .008 ** 4 / 4 * bent["bending_angle[rad]"] / LENGTH
+    check(f"  moment {bent['bending_moment[N.mm]'] / least:.2f} times that of loose rods",
+          1 < bent["bending_moment[N.mm]"] / least < 3)
+    check(f"  force along the fabric {bent['axial_force[N]']}",
+          abs(bent["axial_force[N]"]) < 1e-3 * bent["bending_moment[N.mm]"] / .008)
 
     check_refusal("another matrix", ["Matrix/Young modulus", "restart"], *MATRIX, "Stages=biaxial",
                   "Matrix/Young modulus=60", restart=checkpoint)

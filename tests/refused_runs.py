@@ -103,7 +103,6 @@ def main():
               "Fabric/Warp/Tow spacing=0.25", "Fabric/Warp/Fibers per tow=2"]
     for setting in others:
         check_refusal(setting, ["another model"], setting, restart=good)
-    check_refusal("dry bending", ["Stages", "bend needs a matrix"], "Stages=weave, bend")
     check_refusal("stage order", ["weave", "Stages"], "Stages=relax, weave", restart=good)
 
     # Between the samples that are looked at before the run, but at an increment of it.

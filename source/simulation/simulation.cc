@@ -40,25 +40,6 @@ namespace fiberloom
              (more > 0 ? ", and " + std::to_string(more) + " more" : "");
     }
 
-    /** Throws InputError where nothing holds the crossing tows, whose ends
-     * `bend` lets go: loose from the first increment on, they find no balance.
-     */
-    void
-    check_bending(const Parameters &parameters, const State &state)
-    {
-      bool has_matrix = !state.matrix.is_empty();
-      for (unsigned int s = state.stage; s < parameters.stages.size(); ++s)
-        {
-          has_matrix = has_matrix || parameters.stages[s] == "coat";
-          if (parameters.stages[s] == "bend" && !has_matrix)
-            throw InputError(
-              parameters.where("Stages") +
-              ": bend needs a matrix, which coat makes: in a dry fabric "
-              "crossing tows whose ends are free hang on friction alone, and "
-              "come loose");
-        }
-    }
-
     /** Null where there is no directory to be locked yet. */
     std::unique_ptr<DirectoryLock>
     lock_if_there(const std::string &directory, const MPI_Comm comm)
@@ -348,7 +329,6 @@ namespace fiberloom
   {
     check_junctions(parameters, mesh);
     State state = initial_state();
-    check_bending(parameters, state);
     // Where coating comes first, what is wrong with it shows at once.
     std::vector<std::string> notes = input_notes(parameters, fibers);
     if (state.stage < parameters.stages.size() &&

@@ -52,7 +52,25 @@ namespace fiberloom
       if (attachment.body < n_tow_ends || is_bent(attachment.body))
         kept.push_back(attachment);
     supports.attachments = std::move(kept);
+    if (!scene.composite)
+      hold_without_matrix(supports.bodies);
     return supports;
+  }
+
+
+
+  void
+  Bend::hold_without_matrix(std::vector<RigidBody> &bodies) const
+  {
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      if (is_bent(b))
+        {
+          if (border(b) % 2 == 1)
+            bodies[b].prescribed.reset(axis);
+        }
+      else
+        for (const unsigned int held : {1 - axis, 3 + axis, 5u})
+          bodies[b].prescribed.set(held);
   }
 
 

@@ -12,7 +12,10 @@ namespace fiberloom
    * Section 6.4 of the paper: two opposite borders turn by half the angle each,
    * against each other, about axes in the middle of the fabric whose distance
    * is that of the ends of an arc as long as the sample. The other borders are
-   * free.
+   * free. Without a matrix they would come loose: there crossing tows end in
+   * the planes of their borders and at right angles to them, as in a sample
+   * that is much wider, and the ends of bent tows come nearer as no force
+   * along the fabric asks.
    */
   class Bend : public AngleTest
   {
@@ -41,6 +44,9 @@ namespace fiberloom
     spin(const Vector3 &start, const bool along_x) const override;
 
   private:
+    void
+    hold_without_matrix(std::vector<RigidBody> &bodies) const;
+
     /** Middle of the tow ends on the border at side 0 or 1. */
     Vector3
     border_center(const std::vector<Placement> &placements,
