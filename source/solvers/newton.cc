@@ -99,7 +99,7 @@ namespace fiberloom
           return false;
         ++n;
         ++statistics.newton_iterations;
-        is_bounded = largest_move > 0 && !moves;
+        is_bounded = largest_move > 0 && !problem.rule.friction && !moves;
         solve_first(state, problem, step);
         limits_are_new = !moves && take_coupled_step(state, problem);
         if (limits_are_new)
@@ -557,7 +557,7 @@ namespace fiberloom
     ends_exactly =
       residual < tolerance(problem) || (is_exact && moving.are_all());
     last_factor = found.factor;
-    if (moving.are_all() && is_bounded && !problem.rule.friction)
+    if (moving.are_all() && is_bounded)
       choose_moving(found.state.q - state.q);
     state.q          = std::move(found.state.q);
     state.placements = std::move(found.state.placements);
