@@ -112,7 +112,9 @@ def check_refusals():
                             (["Fabric/Plies=2", "Fabric/Ply rotation=0, 1", "Fabric/Fill/Tow spacing=0.3",
                               "Fabric/Fill/Same as warp=true"], "no square"),
                             (["Fabric/Plies=3", "Fabric/Ply rotation=0, 1"], "one for each ply"),
-                            (["Fabric/Plies=2", "Fabric/Ply shift=0.5"], "two for each ply")):
+                            (["Fabric/Plies=2", "Fabric/Ply shift=0.5"], "two for each ply"),
+                            (["Stages=weave, relax, coat, compact", "Matrix/Layers=filled", "Compact/Thickness=.03"],
+                             "compact before coat")):
         done = run(CELL, "refused", *settings)
         lines = done.stderr.strip().splitlines()
         check(f"refused: {done.stderr.strip()}", done.returncode == 1 and len(lines) == 1 and words in lines[0])

@@ -33,6 +33,7 @@ namespace
     std::map<std::string, double> last;       // of all columns
     double                        energy = 0; // [N mm]
     std::vector<double>           stiffness;
+    double                        thickness = 0; // of a filled cell [mm]
     State                         state;
     std::vector<ContactElement>   contacts;
     Supports                      supports;
@@ -53,6 +54,7 @@ namespace
                    ended.last[name] = value;
                  ended.energy    = report.statistics.elastic_energy;
                  ended.stiffness = report.statistics.membrane_stiffness;
+                 ended.thickness = report.statistics.thickness;
                  ended.state     = report.state;
                  ended.contacts  = report.contacts;
                  ended.supports  = report.supports;
@@ -69,8 +71,11 @@ namespace
   {
     for (unsigned int k = 0; k < 3; ++k)
       ended.supports.bodies[Cell::body].prescribed.reset(k);
-    const FiberMesh mesh(ended.fibers);
-    System          system(mesh, ended.supports, MPI_COMM_WORLD);
+    const FiberMesh            mesh(ended.fibers);
+    std::unique_ptr<Composite> composite;
+    if (!ended.state.matrix.is_empty())
+      composite = std::make_unique<Composite>(ended.state.matrix, mesh);
+    System system(mesh, ended.supports, MPI_COMM_WORLD, composite.get());
     for (ContactElement &contact : ended.contacts)
       contact.slip_before = contact.slip;
     system.reinit(ended.contacts);
@@ -220,13 +225,19 @@ namespace
 
 
 
+  Matrix3
+  stiffness(const Ended &cell)
+  {
+    return Eigen::Map<const Matrix3>(cell.stiffness.data());
+  }
+
+
+
   void
   check_stiffness(Checks &checks)
   {
-    const auto C = run_cell({"Stages=weave, relax, stiffness"}).stiffness;
-    Matrix3    matrix;
-    for (unsigned int i = 0; i < 9; ++i)
-      matrix(i / 3, i % 3) = C.at(i);
+    const Matrix3 matrix =
+      stiffness(run_cell({"Stages=weave, relax, stiffness"}));
     checks.below("symmetry of the stiffness",
                  relative_error(matrix, matrix.transpose()),
                  1e-6);
@@ -234,6 +245,62 @@ namespace
       "least of its eigenvalues [N/mm]",
       Eigen::SelfAdjointEigenSolver<Matrix3>(matrix).eigenvalues()[0],
       0);
+  }
+
+
+
+  /** A matrix that fibers hardly feel is a plate beside the fabric. Friction
+   * would tell that a fiber is not held in one place any more. */
+  void
+  check_plate(Checks &checks)
+  {
+    const Matrix3 dry = stiffness(run_cell(
+      {"Stages=weave, relax, stiffness", "Contact/Friction coefficient=0"}));
+    const double  E = 3000, nu = .35;
+    const Ended   cell = run_cell({"Stages=weave, relax, coat, stiffness",
+                                   "Matrix/Layers=filled",
+                                   "Matrix/Cells along x=2",
+                                   "Matrix/Cells along y=3",
+                                   "Matrix/Young modulus=3000",
+                                   "Matrix/Poisson ratio=.35",
+                                   "Matrix/Junction stiffness=1e-6",
+                                   "Contact/Friction coefficient=0"});
+    Matrix3       plate;
+    plate << 1, nu, 0, nu, 1, 0, 0, 0, .5 * (1 - nu);
+    plate *= cell.thickness * E / (1 - nu * nu);
+    checks.below("stiffness of a plate beside the fabric",
+                 relative_error(stiffness(cell) - dry, plate),
+                 1e-4);
+  }
+
+
+
+  void
+  check_composites(Checks &checks)
+  {
+    const std::vector<std::string> coated{"Stages=weave, relax, coat, biaxial",
+                                          "Matrix/Cells along x=4",
+                                          "Matrix/Cells along y=4"};
+    for (const std::string layers : {"filled", "both"})
+      {
+        auto settings = coated;
+        settings.push_back("Matrix/Layers=" + layers);
+        check_derivatives(checks, layers, run_cell(settings));
+      }
+    const auto stiffness_of = [](std::vector<std::string> settings) {
+      settings.insert(settings.end(),
+                      {"Stages=weave, relax, coat, stiffness",
+                       "Matrix/Layers=filled",
+                       "Matrix/Cells along y=2"});
+      return stiffness(run_cell(settings));
+    };
+    checks.below("two periods, filled",
+                 relative_error(stiffness_of(
+                                  {"Matrix/Cells along x=4",
+                                   "Fabric/Fill/Tows=4",
+                                   "Fabric/Warp/Elements per fiber=16"}),
+                                stiffness_of({"Matrix/Cells along x=2"})),
+                 1e-3);
   }
 } // namespace
 
@@ -262,4 +329,6 @@ main(int argc, char **argv)
   checks.equal("thickness", pressed.last.at("thickness[mm]"), .0315);
 
   check_stiffness(checks);
+  check_plate(checks);
+  check_composites(checks);
 }

@@ -4,6 +4,8 @@
 #ifndef fiberloom_tests_run_stages_h
 #define fiberloom_tests_run_stages_h
 
+#include <fiberloom/stages/coat.h>
+
 #include <fiberloom/simulation/stage_run.h>
 
 /** Runs the stages of @p parameters on @p fibers , without any file. */
@@ -14,13 +16,19 @@ run_stages(const fiberloom::Parameters        &parameters,
 {
   using namespace fiberloom;
   const FiberMesh  mesh(fibers);
-  const Scene      scene{parameters, fibers, mesh};
   ContactGenerator generator(fibers, mesh, parameters.contact, MPI_COMM_WORLD);
   Log              log(MPI_COMM_WORLD);
   State            state;
   state.q = mesh.reference();
+  std::unique_ptr<Composite> composite;
   for (const std::string &name : parameters.stages)
     {
+      if (name == "coat")
+        {
+          add_matrix(parameters, mesh, state);
+          composite = std::make_unique<Composite>(state.matrix, mesh);
+        }
+      const Scene     scene{parameters, fibers, mesh, composite.get()};
       const auto      stage = create_stage(name, scene);
       StageStatistics statistics;
       StageRun(

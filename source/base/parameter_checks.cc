@@ -357,8 +357,7 @@ namespace fiberloom
       for (const std::string &stage : parameters.stages)
         {
           const bool of_cell = stage == "compact" || stage == "stiffness";
-          const bool of_ends =
-            stage == "coat" || stage == "bend" || stage == "load";
+          const bool of_ends = stage == "bend" || stage == "load";
           if (of_cell && !fabric.periodic)
             throw InputError(parameters.where("Stages") + ": " + stage +
                              " needs a periodic cell; allowed: with "
@@ -366,9 +365,16 @@ namespace fiberloom
           if (of_ends && fabric.periodic)
             throw InputError(parameters.where("Stages") + ": " + stage +
                              " needs tow ends, which a periodic cell has not; "
-                             "allowed: weave, relax, biaxial, shear, "
+                             "allowed: weave, relax, coat, biaxial, shear, "
                              "compact, stiffness");
         }
+      for (const auto &[entry, size] :
+           {std::pair{"Matrix/Size along x", parameters.matrix.size_x},
+            {"Matrix/Size along y", parameters.matrix.size_y}})
+        if (fabric.periodic && size > 0)
+          throw InputError(parameters.where(entry) +
+                           ": a periodic cell has a matrix of its own size; "
+                           "allowed: 0");
       if (fabric.cell_cut.size() != 2)
         throw InputError(parameters.where("Fabric/Cell cut") + ": " +
                          std::to_string(fabric.cell_cut.size()) +

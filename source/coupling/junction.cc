@@ -29,6 +29,13 @@ namespace fiberloom
       }
     for (const double value : matrix.shape_values(junction.place))
       vector_weights.push_back(-value);
+    for (const unsigned int axis : {0, 1})
+      if (const int n = junction.periods[axis]; n != 0)
+        {
+          const auto [image, original] = matrix.period(axis);
+          nodes_of_matrix.insert(nodes_of_matrix.end(), {image, original});
+          vector_weights.insert(vector_weights.end(), {-1. * n, 1. * n});
+        }
   }
 
 
@@ -77,7 +84,7 @@ namespace fiberloom
       CloseSurface(const FiberMesh &fibers, const DofVector &q, const Side side)
         : sign(side == Side::upper ? 1 : -1)
       {
-        const Extent extent = skin_extent(fibers, q);
+        const Extent extent = fabric_extent(fibers, q);
         for (const unsigned int c : {0, 1})
           {
             const double size = extent.high[c] - extent.low[c];
@@ -145,11 +152,14 @@ namespace fiberloom
                           const double                 length,
                           const auto                  &should_be_inside) {
       const Section section = fibers.section(q, point);
-      const Vector3 position = section.center + particle[0] * section.vector_1 +
-                               particle[1] * section.vector_2;
+      Vector3       position = section.center + particle[0] * section.vector_1 +
+                         particle[1] * section.vector_2;
+      std::array<int, 2> periods{{0, 0}};
+      if (!fibers.originals().empty())
+        periods = matrix.move_to_cell(position);
       if (const auto place = matrix.locate(position))
         found.junctions.push_back(
-          {point, particle, *place, per_length * length});
+          {point, particle, *place, per_length * length, periods});
       else if (should_be_inside(position))
         {
           ++found.n_outside;

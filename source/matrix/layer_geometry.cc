@@ -57,9 +57,11 @@ namespace fiberloom
     }
 
     void
-    repair_or_refuse(LayerBlock &block, const unsigned int k_face)
+    repair_or_refuse(LayerBlock        &block,
+                     const unsigned int k_face,
+                     const bool         is_periodic)
     {
-      if (!repair(block, k_face))
+      if (!repair(block, k_face, is_periodic))
         throw InputError(
           "Matrix: the woven surface is too rough for the cells, whose worst "
           "corner stays at " +
@@ -129,12 +131,34 @@ namespace fiberloom
 
 
 
+  Extent
+  fabric_extent(const FiberMesh &mesh, const DofVector &q)
+  {
+    Extent        extent = skin_extent(mesh, q);
+    const Vector3 middle = .5 * (extent.low + extent.high);
+    for (unsigned int n = 0; n < mesh.originals().size(); ++n)
+      if (const NodeImage &image = mesh.originals()[n]; image.node != n)
+        {
+          const unsigned int axis = image.periods[0] == 1 ? 0 : 1;
+          const Vector3      period =
+            q.segment<3>(9 * n) - q.segment<3>(9 * image.node);
+          if (std::abs(period[1 - axis]) > 1e-6 * period[axis])
+            throw InputError("Stages: coat needs a cell whose periods are at "
+                             "right angles; allowed: coat before shear");
+          extent.low[axis]  = middle[axis] - .5 * period[axis];
+          extent.high[axis] = middle[axis] + .5 * period[axis];
+        }
+    return extent;
+  }
+
+
+
   LayerGeometry
   build_layers(const MatrixParameters &parameters,
                const FiberMesh        &mesh,
                const DofVector        &q)
   {
-    Extent            extent = skin_extent(mesh, q);
+    Extent            extent = fabric_extent(mesh, q);
     const std::string layers = parameters.layers;
     for (const unsigned int c : {0, 1})
       if (const double size = c == 0 ? parameters.size_x : parameters.size_y;
@@ -153,6 +177,7 @@ namespace fiberloom
                                      extent.low.z() - parameters.thickness),
       top(x.size() * y.size(), extent.high.z() + parameters.thickness);
 
+    const bool    is_cell = !mesh.originals().empty();
     LayerGeometry geometry;
     if (layers == "filled")
       {
@@ -166,12 +191,12 @@ namespace fiberloom
     if (layers == "lower" || layers == "both")
       {
         geometry.blocks.push_back(make_block(x, y, bottom, lower, n));
-        repair_or_refuse(geometry.blocks.back(), n);
+        repair_or_refuse(geometry.blocks.back(), n, is_cell);
       }
     if (layers == "upper" || layers == "both")
       {
         geometry.blocks.push_back(make_block(x, y, upper, top, n));
-        repair_or_refuse(geometry.blocks.back(), 0);
+        repair_or_refuse(geometry.blocks.back(), 0, is_cell);
       }
     return geometry;
   }
@@ -243,8 +268,12 @@ namespace fiberloom
 
 
   bool
-  repair(LayerBlock &block, const unsigned int k_face)
+  repair(LayerBlock &block, const unsigned int k_face, const bool is_periodic)
   {
+    // What is next to a border of a cell is next to the opposite one.
+    const auto neighbor = [&](const int i, const int n) {
+      return is_periodic ? (i + n) % n : i;
+    };
     const unsigned int n_x = block.n_cells[0], n_y = block.n_cells[1],
                        n_z      = block.n_cells[2];
     const unsigned int opposite = k_face == 0 ? n_z : 0;
@@ -260,12 +289,14 @@ namespace fiberloom
               unsigned int n   = 0;
               for (const auto &[di, dj] :
                    {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
-                if (int(i) + di >= 0 && i + di <= n_x && int(j) + dj >= 0 &&
-                    j + dj <= n_y)
-                  {
-                    sum += before.vertex(i + di, j + dj, k_face).z();
-                    ++n;
-                  }
+                {
+                  const int a = neighbor(int(i) + di, n_x),
+                            b = neighbor(int(j) + dj, n_y);
+                  if (a < 0 || a > int(n_x) || b < 0 || b > int(n_y))
+                    continue;
+                  sum += before.vertex(a, b, k_face).z();
+                  ++n;
+                }
               const double face =
                 .5 * (before.vertex(i, j, k_face).z() + sum / n);
               const double other = block.vertex(i, j, opposite).z();

@@ -70,6 +70,12 @@ namespace fiberloom
         stress_free[3 * n + c] = points[n][c];
 
     set_up_elements();
+    for (const unsigned int axis : {0, 1})
+      {
+        const unsigned int start = border_nodes({axis, 0})[0];
+        period_nodes[axis]       = {
+                {nearest_across(start, axis, border_nodes({axis, 1})), start}};
+      }
   }
 
 
@@ -194,6 +200,64 @@ namespace fiberloom
       if (position(n) < outermost + 1e-6 * cell_size())
         nodes.push_back(n);
     return nodes;
+  }
+
+
+
+  unsigned int
+  MatrixMesh::nearest_across(const unsigned int               node,
+                             const unsigned int               axis,
+                             const std::vector<unsigned int> &nodes) const
+  {
+    const auto distance = [&](const unsigned int other) {
+      Vector3 away =
+        stress_free.segment<3>(3 * other) - stress_free.segment<3>(3 * node);
+      away[axis] = 0;
+      return away.squaredNorm();
+    };
+    return *std::min_element(nodes.begin(),
+                             nodes.end(),
+                             [&](const unsigned int a, const unsigned int b) {
+                               return distance(a) < distance(b);
+                             });
+  }
+
+
+
+  std::vector<NodeImage>
+  MatrixMesh::originals() const
+  {
+    std::vector<NodeImage> images;
+    for (unsigned int n = 0; n < n_nodes(); ++n)
+      images.push_back({n, {{0, 0}}});
+    for (const unsigned int axis : {0, 1})
+      {
+        const std::vector<unsigned int> starts = border_nodes({axis, 0});
+        for (const unsigned int node : border_nodes({axis, 1}))
+          {
+            // Along y, what is at the end of x is an image already.
+            images[node] = images[nearest_across(node, axis, starts)];
+            images[node].periods[axis] = 1;
+          }
+      }
+    return images;
+  }
+
+
+
+  std::array<int, 2>
+  MatrixMesh::move_to_cell(Vector3 &position) const
+  {
+    std::array<int, 2> periods;
+    for (const unsigned int axis : {0, 1})
+      {
+        const auto [image, original] = period_nodes[axis];
+        const double start           = stress_free[3 * original + axis],
+                     size            = stress_free[3 * image + axis] - start;
+        periods[axis] = std::floor((position[axis] - start) / size);
+        position[axis] -= periods[axis] * size;
+      }
+    return periods;
   }
 
 

@@ -60,6 +60,33 @@ namespace fiberloom
 
 
 
+  namespace
+  {
+    double
+    move_between(const std::vector<double> &lines, const double position)
+    {
+      const double size = lines.back() - lines.front();
+      return position - size * std::floor((position - lines.front()) / size);
+    }
+
+    /** Gives vertices on opposite borders the larger of their heights. */
+    void
+    join_borders(std::vector<double> &heights,
+                 const unsigned int   n_x,
+                 const unsigned int   n_y)
+    {
+      const auto join = [&](const unsigned int a, const unsigned int b) {
+        heights[a] = heights[b] = std::max(heights[a], heights[b]);
+      };
+      for (unsigned int j = 0; j < n_y; ++j)
+        join(n_x * j, n_x * j + n_x - 1);
+      for (unsigned int i = 0; i < n_x; ++i)
+        join(i, i + n_x * (n_y - 1));
+    }
+  } // namespace
+
+
+
   std::array<double, 2>
   outermost_particle(const Section &section, const Side side)
   {
@@ -83,6 +110,7 @@ namespace fiberloom
     const double sign = side == Side::upper ? 1 : -1;
     const double step = std::min(x[1] - x[0], y[1] - y[0]) / samples_per_cell;
     const int    n_x = x.size(), n_y = y.size();
+    const bool   is_cell = !mesh.originals().empty();
     std::vector<double> heights(n_x * n_y, nothing); // times the sign
     for (unsigned int f = 0; f < mesh.lines().size(); ++f)
       {
@@ -98,8 +126,12 @@ namespace fiberloom
               sign * (section.center + particle[0] * section.vector_1 +
                       particle[1] * section.vector_2)
                        .z();
-            const auto i = near_lines(x, section.center.x());
-            const auto j = near_lines(y, section.center.y());
+            Vector3 center = section.center;
+            if (is_cell)
+              center << move_between(x, center.x()),
+                move_between(y, center.y()), center.z();
+            const auto i = near_lines(x, center.x());
+            const auto j = near_lines(y, center.y());
             for (int b = std::max(0, j[0]); b <= std::min(n_y - 1, j[1]); ++b)
               for (int a = std::max(0, i[0]); a <= std::min(n_x - 1, i[1]); ++a)
                 heights[a + n_x * b] = std::max(heights[a + n_x * b], height);
@@ -108,7 +140,11 @@ namespace fiberloom
     if (*std::max_element(heights.begin(), heights.end()) == nothing)
       throw InputError("Matrix: no fiber is in reach of the layers; allowed: "
                        "a Size that holds some");
+    if (is_cell)
+      join_borders(heights, n_x, n_y);
     fill_gaps(heights, n_x, n_y);
+    if (is_cell)
+      join_borders(heights, n_x, n_y);
     for (double &height : heights)
       height *= sign;
     return heights;

@@ -13,6 +13,15 @@ namespace fiberloom
                            state.poisson_ratio))
     , n_fiber_nodes(fibers.n_nodes())
   {
+    if (!fibers.originals().empty())
+      {
+        original_nodes = fibers.originals();
+        for (NodeImage image : mesh.originals())
+          {
+            image.node += n_fiber_nodes;
+            original_nodes.push_back(image);
+          }
+      }
     for (const Junction &junction : state.junctions)
       junction_elements.emplace_back(junction, fibers, mesh);
   }

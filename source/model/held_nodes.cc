@@ -264,21 +264,22 @@ namespace fiberloom
 
 
 
+  template <int n_dofs>
   void
   HeldGroup::transform_carried(const unsigned int a, const bool with_tangent)
   {
-    using Basis  = Eigen::Matrix<double, 9, 9>;
-    using Motion = Eigen::Matrix<double, 9, 6>;
+    using Basis  = Eigen::Matrix<double, n_dofs, n_dofs>;
+    using Motion = Eigen::Matrix<double, n_dofs, 6>;
     Basis basis  = Basis::Identity();
     if (held[a] != nullptr)
       {
-        basis.topLeftCorner<3, 3>() = held[a]->center_frame;
-        for (const unsigned int v : {3, 6})
-          basis.block<3, 3>(v, v) = held[a]->frame;
+        basis.template topLeftCorner<3, 3>() = held[a]->center_frame;
+        for (int v = 3; v < n_dofs; v += 3)
+          basis.template block<3, 3>(v, v) = held[a]->frame;
       }
-    Motion motion                = Motion::Zero();
-    motion.topLeftCorner<3, 3>() = *carried[a];
-    apply<9>(a, basis, motion, with_tangent);
+    Motion motion                         = Motion::Zero();
+    motion.template topLeftCorner<3, 3>() = *carried[a];
+    apply<n_dofs>(a, basis, motion, with_tangent);
   }
 
 
@@ -321,7 +322,12 @@ namespace fiberloom
     Eigen::MatrixXd    geometric = Eigen::MatrixXd::Zero(n, n);
     for (unsigned int a = 0; a < n_nodes; ++a)
       if (carried[a])
-        transform_carried(a, with_tangent);
+        {
+          if (size(a) == 9)
+            transform_carried<9>(a, with_tangent);
+          else
+            transform_carried<3>(a, with_tangent);
+        }
       else if (held[a] != nullptr)
         {
           if (size(a) == 9)

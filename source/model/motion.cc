@@ -45,12 +45,14 @@ namespace fiberloom
 
 
 
-  Motion::Motion(const FiberMesh   &mesh,
-                 const Supports    &supports,
-                 const BlockLayout &layout)
+  Motion::Motion(const FiberMesh              &mesh,
+                 const Supports               &supports,
+                 const BlockLayout            &layout,
+                 const std::vector<NodeImage> &originals)
     : mesh(mesh)
     , supports(supports)
     , layout(layout)
+    , originals(originals)
     , node_attachments(layout.n_nodes(), -1)
     , fixed(layout.n_dofs(), false)
     , blocks_with_fixed(layout.n_blocks(), false)
@@ -72,7 +74,7 @@ namespace fiberloom
             fixed[layout.first_dof(block) + k] = true;
         blocks_with_fixed[block] = supports.bodies[b].prescribed.any();
       }
-    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+    for (unsigned int n = 0; n < originals.size(); ++n)
       if (is_image(n))
         {
           blocks_with_fixed[n] = true;
@@ -249,13 +251,15 @@ namespace fiberloom
       return;
     const PeriodicCell &cell       = *supports.cell;
     const Vector3       elongation = state.placements[cell.body].position;
-    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+    for (unsigned int n = 0; n < originals.size(); ++n)
       if (is_image(n))
         {
-          const NodeImage &image    = mesh.originals()[n];
-          const auto [x, y]         = image.periods;
-          state.q.segment<9>(9 * n) = state.q.segment<9>(9 * image.node);
-          state.q.segment<3>(9 * n) +=
+          const NodeImage &image   = originals[n];
+          const auto [x, y]        = image.periods;
+          const unsigned int first = layout.first_dof(n);
+          state.q.segment(first, layout.size(n)) =
+            state.q.segment(layout.first_dof(image.node), layout.size(n));
+          state.q.segment<3>(first) +=
             cell.shift(x, y) + cell.slope(x, y) * elongation;
         }
   }

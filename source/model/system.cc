@@ -78,7 +78,9 @@ namespace fiberloom
                                        composite->matrix().reference(),
                 supports.bodies.size(),
                 comm)
-    , movement(mesh, supports, numbering)
+    , originals(composite == nullptr ? mesh.originals() :
+                                       composite->originals())
+    , movement(mesh, supports, numbering, originals)
     , system_matrix(numbering,
                     rotation_lever(mesh),
                     matrix_weight(composite, mesh))
@@ -176,7 +178,7 @@ namespace fiberloom
     const auto add = [this](std::vector<unsigned int> blocks) {
       if (supports.plates)
         blocks.push_back(numbering.body_block(supports.plates->body));
-      append_bodies(movement, supports, numbering, mesh.originals(), blocks);
+      append_bodies(movement, supports, numbering, originals, blocks);
       couple(numbering, blocks, element_pattern);
     };
     for (unsigned int e = 0; e < mesh.n_elements(); ++e)
@@ -193,7 +195,7 @@ namespace fiberloom
       }
     for (unsigned int b = 0; b < supports.bodies.size(); ++b)
       couple(numbering, {numbering.body_block(b)}, element_pattern);
-    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+    for (unsigned int n = 0; n < originals.size(); ++n)
       if (movement.is_image(n)) // unknowns that stay zero
         couple(numbering, {n}, element_pattern);
     sort_unique(element_pattern);
@@ -297,7 +299,7 @@ namespace fiberloom
       {
         const unsigned int first = mesh.first_node(e);
         group.nodes              = {{first, first + 1, first + 2}};
-        if (!touches_owned(group.nodes.data(), 3, mesh.originals()))
+        if (!touches_owned(group.nodes.data(), 3, originals))
           continue;
         const auto q = mesh.element_dofs(state.q, e);
         mesh.visit_element(e, state.fibers, [&](const BeamElement &element) {
@@ -310,7 +312,7 @@ namespace fiberloom
             element.residual(q, group.residual);
         });
         scale = std::max(scale, group.residual.lpNorm<Eigen::Infinity>());
-        scatter<with_tangent>(state, group, mesh.originals());
+        scatter<with_tangent>(state, group, originals);
       }
     largest_force = scale;
     if (composite != nullptr)
@@ -507,7 +509,7 @@ namespace fiberloom
     for (unsigned int c = 0; c < matrix.n_cells(); ++c)
       {
         group.set_nodes(nodes_of_cell(*composite, c), numbering);
-        if (!touches_owned(group.nodes.data(), group.nodes.size()))
+        if (!touches_owned(group.nodes.data(), group.nodes.size(), originals))
           continue;
         const Eigen::VectorXd x = matrix.cell_positions(positions, c);
         if constexpr (with_tangent)
@@ -518,7 +520,7 @@ namespace fiberloom
           group.residual = matrix.element(c).residual(x);
         largest_force =
           std::max(largest_force, group.residual.lpNorm<Eigen::Infinity>());
-        scatter<with_tangent>(state, group);
+        scatter<with_tangent>(state, group, originals);
       }
   }
 
@@ -531,15 +533,16 @@ namespace fiberloom
     for (unsigned int j = 0; j < composite->junctions().size(); ++j)
       {
         const JunctionGroup group(*composite, j, state.q, numbering);
-        if (!touches_owned(group.nodes.data(), group.nodes.size()))
+        if (!touches_owned(group.nodes.data(), group.nodes.size(), originals))
           continue;
         const bool held = std::any_of(group.nodes.begin(),
                                       group.nodes.end(),
                                       [this](const unsigned int node) {
-                                        return movement.attachment(node) >= 0;
+                                        return movement.attachment(node) >= 0 ||
+                                               movement.is_image(node);
                                       });
         if (held)
-          scatter<with_tangent>(state, group);
+          scatter<with_tangent>(state, group, originals);
         else
           scatter_diagonals<with_tangent>(group);
       }
@@ -584,8 +587,8 @@ namespace fiberloom
         const NodeGroup group{{{n}}, targets.node_forces[n]};
         largest_force =
           std::max(largest_force, group.outer_force.lpNorm<Eigen::Infinity>());
-        if (touches_owned(&n, 1, mesh.originals()))
-          scatter<with_tangent>(state, group, mesh.originals());
+        if (touches_owned(&n, 1, originals))
+          scatter<with_tangent>(state, group, originals);
       }
   }
 

@@ -66,7 +66,7 @@ namespace boost
       ar &s.estimated_error.matrix &s.estimated_error.tolerance;
       ar &s.seconds.estimate &s.seconds.coarse &s.coarse_iterations;
       ar &s.largest_section_change &s.elastic_energy &s.negative_pivots;
-      ar &s.membrane_stiffness &s.turning_points &s.broken;
+      ar &s.membrane_stiffness &s.thickness &s.turning_points &s.broken;
     }
 
     template <class Archive>
@@ -89,7 +89,7 @@ namespace fiberloom
       checkpoint_magic.size() + 3 * sizeof(std::uint64_t);
 
     // to be raised with every change of what is serialised
-    constexpr std::uint64_t checkpoint_version = 8;
+    constexpr std::uint64_t checkpoint_version = 9;
 
     // Two million nodes take a twentieth.
     constexpr std::uintmax_t most_bytes = 20000000000;

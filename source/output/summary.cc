@@ -6,6 +6,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <Eigen/LU>
+
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
@@ -42,6 +44,20 @@ namespace fiberloom
               {"output", seconds.output},
               {"coarse", seconds.coarse},
               {"estimate", seconds.estimate}};
+    }
+
+    Json
+    constants_json(const StageStatistics &stage)
+    {
+      const Eigen::Matrix3d compliance =
+        stage.thickness *
+        Eigen::Map<const Eigen::Matrix3d>(stage.membrane_stiffness.data())
+          .inverse();
+      return {{"thickness_mm", stage.thickness},
+              {"young_modulus_warp_MPa", 1 / compliance(0, 0)},
+              {"young_modulus_fill_MPa", 1 / compliance(1, 1)},
+              {"poisson_ratio_warp_fill", -compliance(0, 1) / compliance(0, 0)},
+              {"shear_modulus_MPa", 1 / compliance(2, 2)}};
     }
 
     Json
@@ -107,6 +123,8 @@ namespace fiberloom
       for (std::size_t row = 0; row < stiffness.size(); row += 3)
         json["membrane_stiffness_N_per_mm"].push_back(
           {stiffness[row], stiffness[row + 1], stiffness[row + 2]});
+      if (stage.thickness > 0)
+        json["engineering_constants"] = constants_json(stage);
       add_cycles(stage.turning_points, json);
       return json;
     }

@@ -56,6 +56,26 @@ namespace fiberloom
 
 
 
+  double
+  filled_thickness(const Scene &scene, const State &state)
+  {
+    if (scene.composite == nullptr ||
+        scene.parameters.matrix.layers != "filled")
+      return 0;
+    const MatrixMesh &matrix    = scene.composite->matrix();
+    const auto        positions = scene.composite->positions(state.q);
+    const auto        height    = [&](const unsigned int side) {
+      const std::vector<unsigned int> nodes = matrix.border_nodes({2, side});
+      double                          sum = 0;
+      for (const unsigned int node : nodes)
+        sum += positions[3 * node + 2];
+      return sum / nodes.size();
+    };
+    return height(1) - height(0);
+  }
+
+
+
   std::vector<double>
   membrane_stiffness(const Scene                       &scene,
                      const Supports                    &supports,
@@ -73,7 +93,7 @@ namespace fiberloom
       targets.bodies.push_back({placement});
     targets.bodies[Cell::body].load.head<3>() = reactions[Cell::body].head<3>();
 
-    System       system(scene.mesh, free, comm);
+    System       system(scene.mesh, free, comm, scene.composite);
     LinearSolver solver(system, scene.parameters.solver.linear_solver);
     auto         found = contacts;
     system.reinit(found);
@@ -85,11 +105,14 @@ namespace fiberloom
       throw StageFailure("stage stiffness: the tangent is singular");
 
     // Elongations by strains; the same gives forces times the other width.
-    const auto   periods   = Cell::periods(scene, state.placements[Cell::body]);
-    const auto  &size      = *scene.fibers.cell;
-    const double length[3] = {periods[0],
-                              periods[1],
-                              std::sqrt(size[0] * size[1])};
+    const auto  periods = Cell::periods(scene, state.placements[Cell::body]);
+    const auto &size    = *scene.fibers.cell;
+    // Each period turns by half of what shear moves, over its length.
+    const double        ratio     = std::sqrt(size[0] / size[1]);
+    const double        length[3] = {periods[0],
+                                     periods[1],
+                                     2 / (ratio / periods[0] +
+                                   1 / (ratio * periods[1]))};
     std::vector<double> result;
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)

@@ -40,6 +40,21 @@ namespace fiberloom
              (more > 0 ? ", and " + std::to_string(more) + " more" : "");
     }
 
+    /** Throws InputError where plates would have to press on a matrix. */
+    void
+    check_compaction(const Parameters &parameters, const State &state)
+    {
+      bool has_matrix = !state.matrix.is_empty();
+      for (unsigned int s = state.stage; s < parameters.stages.size(); ++s)
+        {
+          has_matrix = has_matrix || parameters.stages[s] == "coat";
+          if (parameters.stages[s] == "compact" && has_matrix)
+            throw InputError(parameters.where("Stages") +
+                             ": compact presses dry fabrics, and coat has made "
+                             "a matrix; allowed: compact before coat");
+        }
+    }
+
     /** Null where there is no directory to be locked yet. */
     std::unique_ptr<DirectoryLock>
     lock_if_there(const std::string &directory, const MPI_Comm comm)
@@ -329,6 +344,7 @@ namespace fiberloom
   {
     check_junctions(parameters, mesh);
     State state = initial_state();
+    check_compaction(parameters, state);
     // Where coating comes first, what is wrong with it shows at once.
     std::vector<std::string> notes = input_notes(parameters, fibers);
     if (state.stage < parameters.stages.size() &&

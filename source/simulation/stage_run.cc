@@ -504,14 +504,17 @@ namespace fiberloom
     log.write(increment_line(state));
     shown = statistics;
     if (stage.finds_stiffness())
-      statistics.membrane_stiffness =
-        membrane_stiffness(scene,
-                           supports,
-                           state,
-                           equilibrium.contacts(),
-                           system.reactions(),
-                           system.layout().communicator(),
-                           statistics);
+      {
+        statistics.thickness = filled_thickness(scene, state);
+        statistics.membrane_stiffness =
+          membrane_stiffness(scene,
+                             supports,
+                             state,
+                             equilibrium.contacts(),
+                             system.reactions(),
+                             system.layout().communicator(),
+                             statistics);
+      }
     report(state, observer);
   }
 

@@ -5,6 +5,7 @@
 
 #include <fiberloom/stages/cell.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fiberloom
@@ -48,6 +49,26 @@ namespace fiberloom
               nearest = n;
             }
         return nearest;
+      }
+
+      /** Fibers that hang on a matrix. */
+      std::vector<bool>
+      joined_fibers(const Scene &scene)
+      {
+        std::vector<bool> joined(scene.fibers.fibers.size(), false);
+        if (scene.composite == nullptr)
+          return joined;
+        std::vector<bool> nodes(scene.mesh.n_nodes(), false);
+        for (const JunctionElement &junction : scene.composite->junctions())
+          nodes[junction.fiber_nodes()[0]] = true;
+        for (unsigned int f = 0; f < joined.size(); ++f)
+          {
+            const auto &line  = scene.mesh.lines()[f];
+            const auto  first = nodes.begin() + line.first_node;
+            joined[f] = std::find(first, first + line.n_nodes(), true) !=
+                        first + line.n_nodes();
+          }
+        return joined;
       }
 
       /** The cell as a frame of hinged bars. */
@@ -98,6 +119,10 @@ namespace fiberloom
         cell.prescribed[k] = !free[k];
       supports.bodies.push_back(cell);
 
+      const std::vector<bool> joined = joined_fibers(scene);
+      // Junctions hold what would else be free, but for the whole.
+      const unsigned int first =
+        std::find(joined.begin(), joined.end(), true) - joined.begin();
       unsigned int n_held = 0; // plies
       for (unsigned int f = 0; f < scene.fibers.fibers.size(); ++f)
         {
@@ -106,9 +131,15 @@ namespace fiberloom
             attach(scene.mesh.initial(), node, body, Hold::axial);
           attachment.held.set(4); // nor can it spin
           const Tow &tow = scene.fibers.tows[scene.fibers.fibers[f].tow];
-          if (holds_spacing && f == tow.fibers[tow.fibers.size() / 2])
+          if (scene.composite != nullptr)
+            {
+              attachment.held[0] = attachment.held[1] = f == first;
+              attachment.held[2] = !joined[f] || f == first;
+            }
+          else if (holds_spacing && f == tow.fibers[tow.fibers.size() / 2])
             attachment.held.set(0);
-          if (tow.ply == n_held && n_held < plies_held)
+          if (scene.composite == nullptr && tow.ply == n_held &&
+              n_held < plies_held)
             {
               attachment.held.set(1);
               ++n_held;

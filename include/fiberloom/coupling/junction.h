@@ -22,10 +22,11 @@ namespace fiberloom
    */
   struct Junction
   {
-    ElementPoint          point;     // of the fiber
-    std::array<double, 2> particle;  // components along r g1 and r g2
-    CellPoint             place;     // in the matrix
-    double                stiffness; // k [N/mm]
+    ElementPoint          point;           // of the fiber
+    std::array<double, 2> particle;        // components along r g1 and r g2
+    CellPoint             place;           // in the matrix
+    double                stiffness;       // k [N/mm]
+    std::array<int, 2>    periods{{0, 0}}; // from the place on, of a cell
 
     template <class Archive>
     void
@@ -34,7 +35,7 @@ namespace fiberloom
       ar &point.element &point.xi &particle &place.cell;
       for (unsigned int i = 0; i < 3; ++i)
         ar &place.coordinates[i];
-      ar &stiffness;
+      ar &stiffness &periods;
     }
   };
 
@@ -50,8 +51,9 @@ namespace fiberloom
                     const FiberMesh  &fibers,
                     const MatrixMesh &matrix);
 
-    /** Three nodes of the fiber, then those of the matrix in its own numbers.
-     */
+    /** Three nodes of the fiber, then those of the matrix in its own numbers:
+     * of the cell, and where periods lie between, those that these are counted
+     * by. */
     const std::array<unsigned int, 3> &
     fiber_nodes() const
     {

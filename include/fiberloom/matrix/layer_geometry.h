@@ -72,6 +72,11 @@ namespace fiberloom
   Extent
   skin_extent(const FiberMesh &mesh, const DofVector &q);
 
+  /** The same, in the plane that of a periodic cell if it is one. Throws
+   * InputError where the cell is sheared. */
+  Extent
+  fabric_extent(const FiberMesh &mesh, const DofVector &q);
+
   /** Nodes that layers of these parameters will have. */
   unsigned int
   n_layer_nodes(const MatrixParameters &parameters);
@@ -99,10 +104,13 @@ namespace fiberloom
 
   /**
    * Smooths the heights of one face, at @p k_face , of a block with bad corners
-   * until there are none; the vertices between follow. Whether that succeeds.
+   * until there are none; the vertices between follow. With @p is_periodic
+   * opposite borders stay alike. Whether that succeeds.
    */
   bool
-  repair(LayerBlock &block, const unsigned int k_face);
+  repair(LayerBlock        &block,
+         const unsigned int k_face,
+         const bool         is_periodic = false);
 } // namespace fiberloom
 
 #endif

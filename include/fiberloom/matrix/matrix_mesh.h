@@ -4,6 +4,8 @@
 #ifndef fiberloom_matrix_matrix_mesh_h
 #define fiberloom_matrix_matrix_mesh_h
 
+#include <fiberloom/fabric/fiber_images.h>
+
 #include <fiberloom/matrix/hex_element.h>
 #include <fiberloom/matrix/layer_geometry.h>
 
@@ -106,6 +108,23 @@ namespace fiberloom
     std::vector<unsigned int>
     border_nodes(const MatrixBorder &border) const;
 
+    /** What each node is the image of where the layers are those of a periodic
+     * cell: nodes at the ends of x and y are images of those at the starts. */
+    std::vector<NodeImage>
+    originals() const;
+
+    /** A node one period along x or y away from another one, and this one. */
+    std::array<unsigned int, 2>
+    period(const unsigned int axis) const
+    {
+      return period_nodes[axis];
+    }
+
+    /** By how many periods @p position , moved to the cell, has been beyond it.
+     */
+    std::array<int, 2>
+    move_to_cell(Vector3 &position) const;
+
     /** The material point that is at @p position without stress; nothing
      * outside every cell. */
     std::optional<CellPoint>
@@ -140,12 +159,20 @@ namespace fiberloom
     void
     set_up_elements();
 
-    const HyperelasticLaw                  material;
-    const std::unique_ptr<Mesh>            mesh;
-    std::array<bool, 2>                    has_flat_face{{false, false}};
-    Eigen::VectorXd                        stress_free;
-    std::vector<std::vector<unsigned int>> cell_nodes;
-    std::vector<HexElement>                elements;
+    /** Of @p nodes , which is nearest to @p node but for the distance along an
+     * axis. */
+    unsigned int
+    nearest_across(const unsigned int               node,
+                   const unsigned int               axis,
+                   const std::vector<unsigned int> &nodes) const;
+
+    const HyperelasticLaw                      material;
+    const std::unique_ptr<Mesh>                mesh;
+    std::array<bool, 2>                        has_flat_face{{false, false}};
+    Eigen::VectorXd                            stress_free;
+    std::array<std::array<unsigned int, 2>, 2> period_nodes;
+    std::vector<std::vector<unsigned int>>     cell_nodes;
+    std::vector<HexElement>                    elements;
     std::vector<std::vector<HexElement::Gradients>> node_gradients;
     double                                          volume = 0; // [mm^3]
     double                                          slope  = 0; // [mm]

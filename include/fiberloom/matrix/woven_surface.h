@@ -24,7 +24,8 @@ namespace fiberloom
   /**
    * Height of the fabric's surface over each vertex of a grid, x first: that of
    * the outermost skin within half a cell around; between neighbors where no
-   * fiber passes. Throws InputError where none passes at all.
+   * fiber passes. The grid of a periodic cell goes from border to border.
+   * Throws InputError where no fiber passes at all.
    */
   std::vector<double>
   surface_heights(const FiberMesh           &mesh,

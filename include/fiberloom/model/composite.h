@@ -71,6 +71,14 @@ namespace fiberloom
       return n_fiber_nodes;
     }
 
+    /** What each node of fibers and matrix is the image of; empty without a
+     * cell. */
+    const std::vector<NodeImage> &
+    originals() const
+    {
+      return original_nodes;
+    }
+
     /** Force on the fiber [N] at the dofs @p q of a state. */
     Vector3
     junction_force(const unsigned int junction, const DofVector &q) const;
@@ -79,6 +87,7 @@ namespace fiberloom
     MatrixMesh                   mesh;
     std::vector<JunctionElement> junction_elements;
     unsigned int                 n_fiber_nodes;
+    std::vector<NodeImage>       original_nodes;
   };
 } // namespace fiberloom
 

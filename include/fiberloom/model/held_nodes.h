@@ -134,6 +134,7 @@ namespace fiberloom
                    Eigen::MatrixXd              &geometric);
 
     /** Of the node @p a that goes with the cell. */
+    template <int n_dofs>
     void
     transform_carried(const unsigned int a, const bool with_tangent);
 

@@ -24,9 +24,10 @@ namespace fiberloom
   class Motion
   {
   public:
-    Motion(const FiberMesh   &mesh,
-           const Supports    &supports,
-           const BlockLayout &layout);
+    Motion(const FiberMesh              &mesh,
+           const Supports               &supports,
+           const BlockLayout            &layout,
+           const std::vector<NodeImage> &originals);
 
     /** Index into the attachments of the supports by node; -1: free. */
     const std::vector<int> &
@@ -76,7 +77,8 @@ namespace fiberloom
     bool
     is_image(const unsigned int node) const
     {
-      return supports.cell && mesh.originals()[node].node != node;
+      return supports.cell && node < originals.size() &&
+             originals[node].node != node;
     }
 
     /** Whether there is a cell, and no body holds a place in it. */
@@ -126,12 +128,13 @@ namespace fiberloom
     NodeVector
     node_dofs(const Eigen::VectorXd &dofs, const unsigned int node) const;
 
-    const FiberMesh   &mesh;
-    const Supports    &supports;
-    const BlockLayout &layout;
-    std::vector<int>   node_attachments;
-    std::vector<bool>  fixed;
-    std::vector<bool>  blocks_with_fixed;
+    const FiberMesh              &mesh;
+    const Supports               &supports;
+    const BlockLayout            &layout;
+    const std::vector<NodeImage> &originals; // of all nodes
+    std::vector<int>              node_attachments;
+    std::vector<bool>             fixed;
+    std::vector<bool>             blocks_with_fixed;
   };
 } // namespace fiberloom
 

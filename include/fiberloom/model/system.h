@@ -321,14 +321,15 @@ namespace fiberloom
     void
     add_body_loads(const Targets &targets);
 
-    const FiberMesh             &mesh;
-    const FiberMesh             &seen; // by contact
-    const std::vector<NodeImage> seen_nodes;
-    const Supports              &supports;
-    const Composite             *composite; // or null
-    BlockLayout                  numbering;
-    Motion                       movement;
-    BlockMatrix                  system_matrix;
+    const FiberMesh              &mesh;
+    const FiberMesh              &seen; // by contact
+    const std::vector<NodeImage>  seen_nodes;
+    const Supports               &supports;
+    const Composite              *composite; // or null
+    const std::vector<NodeImage> &originals;
+    BlockLayout                   numbering;
+    Motion                        movement;
+    BlockMatrix                   system_matrix;
 
     double                                 stiffness;
     Curvature                              curvature = Curvature::exact;

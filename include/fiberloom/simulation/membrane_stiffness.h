@@ -27,6 +27,11 @@ namespace fiberloom
                      const std::vector<BodyVector>     &reactions,
                      const MPI_Comm                     comm,
                      StageStatistics                   &statistics);
+
+  /** Mean distance of the flat faces of a cell that is filled with matrix [mm],
+   * 0 of others. */
+  double
+  filled_thickness(const Scene &scene, const State &state);
 } // namespace fiberloom
 
 #endif
