@@ -372,7 +372,9 @@ namespace fiberloom
         contact.friction_limit /= stiffer;
         contact.normal_force_before /= stiffer;
       }
-    return by_newton.solve(state, problem, n);
+    Problem near = problem;
+    near.is_near = true;
+    return by_newton.solve(state, near, n);
   }
 
 

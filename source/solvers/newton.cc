@@ -99,7 +99,8 @@ namespace fiberloom
           return false;
         ++n;
         ++statistics.newton_iterations;
-        is_bounded = largest_move > 0 && !problem.rule.friction && !moves;
+        is_bounded = largest_move > 0 && !moves &&
+                     (!problem.rule.friction || problem.is_near);
         solve_first(state, problem, step);
         limits_are_new = !moves && take_coupled_step(state, problem);
         if (limits_are_new)
@@ -557,7 +558,7 @@ namespace fiberloom
     ends_exactly =
       residual < tolerance(problem) || (is_exact && moving.are_all());
     last_factor = found.factor;
-    if (moving.are_all() && is_bounded)
+    if (moving.are_all() && is_bounded && !problem.rule.friction)
       choose_moving(found.state.q - state.q);
     state.q          = std::move(found.state.q);
     state.placements = std::move(found.state.placements);

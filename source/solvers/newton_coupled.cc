@@ -59,6 +59,8 @@ namespace fiberloom
             correct_coupled(there, problem);
             if (!(there.residual < residual))
               continue;
+            if (is_bounded)
+              bounds.prepare_next(gradient, step.solution, step.increment);
             state        = std::move(there.state);
             generated_at = state.q;
             if (coupled_since == 0)
