@@ -114,7 +114,9 @@ def check_refusals():
                             (["Fabric/Plies=3", "Fabric/Ply rotation=0, 1"], "one for each ply"),
                             (["Fabric/Plies=2", "Fabric/Ply shift=0.5"], "two for each ply"),
                             (["Stages=weave, relax, coat, compact", "Matrix/Layers=filled", "Compact/Thickness=.03"],
-                             "compact before coat")):
+                             "compact before coat"),
+                            (["Stages=weave, relax, shear, coat", "Matrix/Layers=filled"], "coat before shear"),
+                            (["Stages=weave, relax, coat", "Matrix/Layers=filled", "Matrix/Size along x=.3"], "of its own size")):
         done = run(CELL, "refused", *settings)
         lines = done.stderr.strip().splitlines()
         check(f"refused: {done.stderr.strip()}", done.returncode == 1 and len(lines) == 1 and words in lines[0])

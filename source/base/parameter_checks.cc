@@ -354,8 +354,15 @@ namespace fiberloom
                          ": the scene has no fabric, as Fibers/" +
                          parameters.fibers.sources().front() +
                          " is given; allowed: false");
+      bool is_sheared = false;
       for (const std::string &stage : parameters.stages)
         {
+          is_sheared = is_sheared ||
+                       (stage == "shear" && parameters.shear.way.back() != 0);
+          if (fabric.periodic && is_sheared && stage == "coat")
+            throw InputError(parameters.where("Stages") +
+                             ": coat needs a cell whose periods are at right "
+                             "angles; allowed: coat before shear");
           const bool of_cell = stage == "compact" || stage == "stiffness";
           const bool of_ends = stage == "bend" || stage == "load";
           if (of_cell && !fabric.periodic)

@@ -27,10 +27,18 @@ namespace fiberloom
                static_cast<int>(std::floor(t + .5 + 1e-9))}};
     }
 
-    /** Takes heights into the gaps from around them, ring by ring. */
+    /** Takes heights into the gaps from around them, ring by ring; in a cell,
+     * from beyond the borders as well. */
     void
-    fill_gaps(std::vector<double> &heights, const int n_x, const int n_y)
+    fill_gaps(std::vector<double> &heights,
+              const int            n_x,
+              const int            n_y,
+              const bool           is_cell)
     {
+      // Opposite borders of a cell are the same line.
+      const auto neighbor = [&](const int i, const int n) {
+        return is_cell ? (i + n - 1) % (n - 1) : i;
+      };
       for (bool gaps = true; gaps;)
         {
           gaps              = false;
@@ -43,14 +51,17 @@ namespace fiberloom
                 gaps       = true;
                 double sum = 0;
                 int    n   = 0;
-                for (int b = std::max(0, j - 1); b < std::min(n_y, j + 2); ++b)
-                  for (int a = std::max(0, i - 1); a < std::min(n_x, i + 2);
-                       ++a)
-                    if (before[a + n_x * b] != nothing)
-                      {
-                        sum += before[a + n_x * b];
-                        ++n;
-                      }
+                for (int db = -1; db <= 1; ++db)
+                  for (int da = -1; da <= 1; ++da)
+                    {
+                      const int a = neighbor(i + da, n_x),
+                                b = neighbor(j + db, n_y);
+                      if (a < 0 || a >= n_x || b < 0 || b >= n_y ||
+                          before[a + n_x * b] == nothing)
+                        continue;
+                      sum += before[a + n_x * b];
+                      ++n;
+                    }
                 if (n > 0)
                   heights[i + n_x * j] = sum / n;
               }
@@ -142,9 +153,7 @@ namespace fiberloom
                        "a Size that holds some");
     if (is_cell)
       join_borders(heights, n_x, n_y);
-    fill_gaps(heights, n_x, n_y);
-    if (is_cell)
-      join_borders(heights, n_x, n_y);
+    fill_gaps(heights, n_x, n_y, is_cell);
     for (double &height : heights)
       height *= sign;
     return heights;

@@ -66,7 +66,7 @@ namespace boost
       ar &s.estimated_error.matrix &s.estimated_error.tolerance;
       ar &s.seconds.estimate &s.seconds.coarse &s.coarse_iterations;
       ar &s.largest_section_change &s.elastic_energy &s.negative_pivots;
-      ar &s.membrane_stiffness &s.thickness &s.turning_points &s.broken;
+      ar &s.membrane_stiffness &s.filled_thickness &s.turning_points &s.broken;
     }
 
     template <class Archive>

@@ -50,10 +50,10 @@ namespace fiberloom
     constants_json(const StageStatistics &stage)
     {
       const Eigen::Matrix3d compliance =
-        stage.thickness *
+        stage.filled_thickness *
         Eigen::Map<const Eigen::Matrix3d>(stage.membrane_stiffness.data())
           .inverse();
-      return {{"thickness_mm", stage.thickness},
+      return {{"thickness_mm", stage.filled_thickness},
               {"young_modulus_warp_MPa", 1 / compliance(0, 0)},
               {"young_modulus_fill_MPa", 1 / compliance(1, 1)},
               {"poisson_ratio_warp_fill", -compliance(0, 1) / compliance(0, 0)},
@@ -123,7 +123,7 @@ namespace fiberloom
       for (std::size_t row = 0; row < stiffness.size(); row += 3)
         json["membrane_stiffness_N_per_mm"].push_back(
           {stiffness[row], stiffness[row + 1], stiffness[row + 2]});
-      if (stage.thickness > 0)
+      if (stage.filled_thickness > 0)
         json["engineering_constants"] = constants_json(stage);
       add_cycles(stage.turning_points, json);
       return json;

@@ -220,14 +220,14 @@ namespace fiberloom
     class Trial
     {
     public:
-      /** Of a stage @p of the scene that began at @p begun . */
+      /** Of a stage that began at @p begun . */
       Trial(const Scene                 &scene,
-            std::unique_ptr<Stage>       of,
+            std::unique_ptr<Stage>       stage_of_scene,
             const DofVector             &begun,
             const MPI_Comm               comm,
             const std::function<void()> &ask)
         : scene(scene)
-        , stage(std::move(of))
+        , stage(std::move(stage_of_scene))
         , supports(stage->supports(begun))
         , system(scene.mesh, supports, comm, scene.composite)
         , generator(scene.fibers, scene.mesh, scene.parameters.contact, comm)
@@ -249,6 +249,7 @@ namespace fiberloom
                         {stage->targets(start, load), stage->node_forces(load)},
                         stage->rule(load)};
         problem.rule.points_follow = true;
+        problem.is_near            = true;
         return problem;
       }
 
@@ -384,32 +385,16 @@ namespace fiberloom
 
 
     /** Of the last increment of a stage, by refining its scene. */
-    class Estimate
+    struct Estimate
     {
-    public:
-      Estimate(const Scene                 &scene,
-               const std::string           &name,
-               const State                 &before,
-               const State                 &found,
-               const MPI_Comm               comm,
-               const std::function<void()> &ask)
-        : scene(scene)
-        , name(name)
-        , before(before)
-        , found(found)
-        , comm(comm)
-        , ask(ask)
-      {}
-
       ErrorEstimate
       error();
 
-    private:
-      /** What iterations make of @p found with other parameters; as
-       * Trial::settle(). */
+      /** What iterations make of @p end with other parameters, where an
+       * increment led to from @p beginning ; as Trial::settle(). */
       Response
-      respond(const State      &before,
-              const State      &found,
+      respond(const State      &beginning,
+              const State      &end,
               const Refinement &refinement,
               const Outcome    *from = nullptr) const;
 
@@ -436,15 +421,15 @@ namespace fiberloom
       const State                  &before, &found;
       const MPI_Comm                comm;
       const std::function<void()>  &ask;
-      Outcome                       now;   // without refinement
-      std::map<std::string, double> scale; // of units
+      Outcome                       now   = {}; // without refinement
+      std::map<std::string, double> scale = {}; // of units
     };
 
 
 
     Response
-    Estimate::respond(const State      &before,
-                      const State      &found,
+    Estimate::respond(const State      &beginning,
+                      const State      &end,
                       const Refinement &refinement,
                       const Outcome    *from) const
     {
@@ -452,11 +437,11 @@ namespace fiberloom
       const Parameters parameters = refine(scene.parameters, refinement);
       const FiberSet   fibers     = build_fiber_set(parameters);
       const FiberMesh  mesh(fibers);
-      const Transfer   transfer(scene, found.matrix, mesh, refinement);
+      const Transfer   transfer(scene, end.matrix, mesh, refinement);
       const Scene      refined{parameters, fibers, mesh, transfer.finer()};
-      State            start = transfer(before);
-      State            state = transfer(found);
-      if (refinement.stiffness != 1 && follows_relax(before))
+      State            start = transfer(beginning);
+      State            state = transfer(end);
+      if (refinement.stiffness != 1 && follows_relax(beginning))
         begin_where_relaxed(refined, comm, ask, start, state);
       state.contact.history = start.contact.history;
       state.contact.plates  = start.contact.plates;
@@ -464,7 +449,7 @@ namespace fiberloom
         refined, create_stage(name, refined), state.stage_start_q, comm, ask);
       return trial.settle(trial.problem(start,
                                         state.stage_start_placements,
-                                        found.load),
+                                        end.load),
                           state,
                           refinement.stiffness,
                           from);
@@ -532,9 +517,9 @@ namespace fiberloom
       const Eigen::ArrayXd total = together.max(least_part * alone);
       Eigen::Index         worst;
       total.maxCoeff(&worst);
-      const std::string column = now.curve[worst].first;
-      const auto        its    = scale.find(unit(column));
-      constexpr double  none   = std::numeric_limits<double>::quiet_NaN();
+      const std::string column  = now.curve[worst].first;
+      const auto        of_unit = scale.find(unit(column));
+      constexpr double  none    = std::numeric_limits<double>::quiet_NaN();
       return {largest(mesh),
               largest(stations),
               of_model ? none : largest(penetration),
@@ -542,7 +527,7 @@ namespace fiberloom
               largest(total),
               largest(tolerance),
               column,
-              its == scale.end() ? 0 : total[worst] * its->second};
+              of_unit == scale.end() ? 0 : total[worst] * of_unit->second};
     }
   } // namespace
 
@@ -560,7 +545,7 @@ namespace fiberloom
       return {};
     try
       {
-        return Estimate(scene, name, before, found, comm, ask).error();
+        return Estimate{scene, name, before, found, comm, ask}.error();
       }
     catch (const StageFailure &)
       {

@@ -505,7 +505,7 @@ namespace fiberloom
     shown = statistics;
     if (stage.finds_stiffness())
       {
-        statistics.thickness = filled_thickness(scene, state);
+        statistics.filled_thickness = filled_thickness(scene, state);
         statistics.membrane_stiffness =
           membrane_stiffness(scene,
                              supports,

@@ -372,9 +372,7 @@ namespace fiberloom
         contact.friction_limit /= stiffer;
         contact.normal_force_before /= stiffer;
       }
-    Problem near = problem;
-    near.is_near = true;
-    return by_newton.solve(state, near, n);
+    return by_newton.solve(state, problem, n);
   }
 
 

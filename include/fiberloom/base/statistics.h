@@ -75,8 +75,8 @@ namespace fiberloom
 
     ErrorEstimate estimated_error;
 
-    std::vector<double> membrane_stiffness; // 3 x 3 [N/mm], if asked for
-    double              thickness = 0;      // of a filled cell, then [mm]
+    std::vector<double> membrane_stiffness;   // 3 x 3 [N/mm], if asked for
+    double              filled_thickness = 0; // of a cell, then [mm]
 
     std::vector<TurningPoint> turning_points; // from the start of the way on
 

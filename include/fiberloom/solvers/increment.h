@@ -27,7 +27,7 @@ namespace fiberloom
     Past         even        = {};    // another one to come from, see Stage
     bool         is_first    = false; // no state was at rest before
     double       near_enough = 0; // of the energy, where a step promises less
-    bool         is_near     = false; // so that most fibers stay where they are
+    bool is_near = false; // to balance: fibers have hardly any way to go
   };
 
   /**
