@@ -254,6 +254,37 @@ namespace fiberloom
 
 
 
+  template <int height>
+  void
+  BlockMatrix::multiply_row(const unsigned int row,
+                            const double      *in,
+                            double            *out) const
+  {
+    // Of a size that is known, sums stay in registers.
+    constexpr int largest = 9;
+    using Sum             = Eigen::Matrix<double, height, 1, 0, largest, 1>;
+    Eigen::Map<Sum> result(out, numbering.size(numbering.owned_blocks()[row]));
+    Sum             sum = Sum::Zero(result.size());
+    for (unsigned int c = 0; c < column_blocks[row].size(); ++c)
+      {
+        const unsigned int width   = numbering.size(column_blocks[row][c]);
+        const double      *entries = values(row, c);
+        const double      *x       = in + column_positions[row][c];
+        if (height == 9 && width == 9)
+          sum +=
+            Eigen::Map<const Eigen::Matrix<double, 9, 9, Eigen::RowMajor>>(
+              entries)
+              .lazyProduct(Eigen::Map<const Eigen::Matrix<double, 9, 1>>(x));
+        else
+          for (unsigned int i = 0; i < sum.size(); ++i)
+            for (unsigned int j = 0; j < width; ++j)
+              sum[i] += entries[i * width + j] * x[j];
+      }
+    result = sum;
+  }
+
+
+
   int
   BlockMatrix::Apply(const Epetra_MultiVector &x, Epetra_MultiVector &y) const
   {
@@ -265,33 +296,13 @@ namespace fiberloom
     for (int v = 0; v < x.NumVectors(); ++v)
       for (unsigned int row = 0; row < column_blocks.size(); ++row)
         {
+          double            *out = y[v] + numbering.local_first_dof(row);
           const unsigned int height =
             numbering.size(numbering.owned_blocks()[row]);
-          Eigen::Map<Eigen::VectorXd> result(y[v] +
-                                               numbering.local_first_dof(row),
-                                             height);
-          result.setZero();
-          for (unsigned int c = 0; c < column_blocks[row].size(); ++c)
-            {
-              const unsigned int width = numbering.size(column_blocks[row][c]);
-              const double      *in    = imported[v] + column_positions[row][c];
-              const double      *entries = values(row, c);
-              if (height == 9 && width == 9)
-                result.noalias() +=
-                  Eigen::Map<
-                    const Eigen::Matrix<double, 9, 9, Eigen::RowMajor>>(
-                    entries) *
-                  Eigen::Map<const Eigen::Matrix<double, 9, 1>>(in);
-              else
-                result.noalias() +=
-                  Eigen::Map<const Eigen::Matrix<double,
-                                                 Eigen::Dynamic,
-                                                 Eigen::Dynamic,
-                                                 Eigen::RowMajor>>(entries,
-                                                                   height,
-                                                                   width) *
-                  Eigen::Map<const Eigen::VectorXd>(in, width);
-            }
+          if (height == 9)
+            multiply_row<9>(row, imported[v], out);
+          else
+            multiply_row<Eigen::Dynamic>(row, imported[v], out);
         }
     if (outer_products_used)
       for (int v = 0; v < x.NumVectors(); ++v)

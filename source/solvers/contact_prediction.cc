@@ -64,11 +64,14 @@ namespace fiberloom
 
 
   bool
-  ContactPrediction::add_stiffness(const State &state, const State &ahead)
+  ContactPrediction::add_stiffness(const State &state,
+                                   const State &ahead,
+                                   const double least_energy)
   {
-    const DofVector q     = mesh.with_images(ahead.q);
-    const double    least = increment.tolerance() * increment.scale(problem);
-    bool            any   = false;
+    const DofVector q      = mesh.with_images(ahead.q);
+    const double    least  = increment.tolerance() * increment.scale(problem);
+    double          stored = 0; // by contacts that take part
+    bool            any    = false;
     for (unsigned int i = 0; i < increment.contacts.size(); ++i)
       {
         ContactElement &contact = increment.contacts[i];
@@ -77,8 +80,8 @@ namespace fiberloom
         if (contact.following == ContactElement::Points::fixed ||
             contact.lost || (kind == Kind::closing && !is_new))
           continue;
-        ContactElement there = contact;
-        normal_energy(there, mesh.with_images(), q);
+        ContactElement there  = contact;
+        const double   energy = normal_energy(there, mesh.with_images(), q);
         if (there.lost || (is_new && contact.gap >= 0 && there.gap >= 0))
           continue;
         const double r     = std::min(contact.radii[0], contact.radii[1]);
@@ -102,7 +105,9 @@ namespace fiberloom
         contact.stiffness_added = wanted - model;
         stiffness[i]            = wanted;
         any                     = true;
+        stored += energy;
       }
+    any = any && stored >= least_energy;
     if (any)
       system.add_stiffness(state, increment.contacts);
     for (ContactElement &contact : increment.contacts)

@@ -404,8 +404,12 @@ namespace fiberloom
       mesh, system, increment, problem, ContactPrediction::Kind::closing);
     const auto predicts = [&](const Step &step) {
       const State ahead = moved(state, step.increment, longest(step));
+      // What stores little changes little of the step, and costs a factor. With
+      // friction all forces count, as its limits are to follow them.
+      const double little =
+        problem.rule.friction ? 0 : poor_model * promise(step);
       ScopedTimer timer(statistics.seconds.assembly);
-      if (!prediction.add_stiffness(state, ahead))
+      if (!prediction.add_stiffness(state, ahead, little))
         return false;
       moving.restrict_matrix();
       return true;
@@ -436,6 +440,15 @@ namespace fiberloom
       bounds.prepare_next(gradient, step.solution, step.increment);
     step = bounded(step);
     return true;
+  }
+
+
+
+  double
+  Newton::promise(const Step &step, const double factor)
+  {
+    const double part = std::min(1., factor);
+    return -step.slope * part * (1 - .5 * part);
   }
 
 
@@ -541,12 +554,10 @@ namespace fiberloom
     correct(state, problem, *taken, found);
     lengthen(state, problem, *taken, here, found);
 
-    // Of a parabola whose lowest point is where the step ends.
-    const double part     = std::min(1., found.factor);
-    const double promised = -taken->slope * part * (1 - .5 * part);
+    const double promised = promise(*taken, found.factor);
     const double actual   = promised > 0 ? (here - found.energy) / promised : 0;
     is_near_enough        = problem.near_enough > 0 && moving.are_all() &&
-                     -.5 * taken->slope < problem.near_enough * here;
+                     promise(*taken) < problem.near_enough * here;
     // Where fibers have bounds, these see to it that no step is too long.
     if (found.cuts > 1 || (!is_bounded && actual < poor_model))
       damping = std::max(largest_change * damping, least_damping);

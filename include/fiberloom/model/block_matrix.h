@@ -192,6 +192,11 @@ namespace fiberloom
     }
 
   private:
+    /** Of a product with the vector @p in of all columns, into @p out . */
+    template <int height>
+    void
+    multiply_row(const unsigned int row, const double *in, double *out) const;
+
     /** Whether the pattern holds @p columns on every rank, and hardly more. */
     bool
     covers(const std::vector<std::vector<unsigned int>> &columns) const;

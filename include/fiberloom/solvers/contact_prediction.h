@@ -33,10 +33,12 @@ namespace fiberloom
 
     /** On the way from @p state , where the system was assembled, to @p ahead :
      * adds to it the stiffness that leads to the forces that contacts are to
-     * have; whether there are such contacts. To be called again with where
-     * that leads. */
+     * have; whether there are such contacts, which store at least this energy
+     * there [N mm]. To be called again with where that leads. */
     bool
-    add_stiffness(const State &state, const State &ahead);
+    add_stiffness(const State &state,
+                  const State &ahead,
+                  const double least_energy = 0);
 
   private:
     const FiberMesh    &mesh;

@@ -196,6 +196,11 @@ namespace fiberloom
     void
     complete(Step &step) const;
 
+    /** By how much the energy of a parabola falls, whose lowest point is where
+     * @p step ends, up to this part of the step [N mm]. */
+    static double
+    promise(const Step &step, const double factor = 1);
+
     /** Cut at the bounds of fibers, if there are any. */
     Step
     bounded(const Step &step) const;
