@@ -32,8 +32,10 @@ namespace
   {
     std::vector<double> solution;
     LinearSolver        solver(system, name);
-    outcome = solver.solve(
-      system.matrix(), q, system.right_hand_side(), 0, shift_unit, solution);
+    outcome = solver.solve({system.matrix(), system.right_hand_side()},
+                           q,
+                           {0, shift_unit},
+                           solution);
     return system.gather(solution);
   }
 
@@ -129,13 +131,12 @@ namespace
             solver.forget();
             first = true;
           }
-        const Outcome     outcome = solver.solve(system.matrix(),
-                                             model.state.q,
-                                             system.right_hand_side(),
-                                             0,
-                                             1e-9,
-                                             solution);
-        const std::string which   = ", " + name + ", " + time;
+        const Outcome outcome =
+          solver.solve({system.matrix(), system.right_hand_side()},
+                       model.state.q,
+                       {0, 1e-9},
+                       solution);
+        const std::string which = ", " + name + ", " + time;
         checks.that("gave way" + which + ": " + (first ? "yes" : "no"),
                     (outcome.factorizations > 1) == first);
         checks.equal("shift" + which, outcome.shift, 0);
@@ -162,12 +163,11 @@ namespace
     std::vector<double> solution;
     for (const double damping : {0., 0., 1e-3})
       {
-        const Outcome outcome = solver.solve(system.matrix(),
-                                             model.state.q,
-                                             system.right_hand_side(),
-                                             damping,
-                                             1e-3,
-                                             solution);
+        const Outcome outcome =
+          solver.solve({system.matrix(), system.right_hand_side()},
+                       model.state.q,
+                       {damping, 1e-3},
+                       solution);
         checks.equal("factorisations, damped by " + std::to_string(damping),
                      outcome.factorizations,
                      1);
@@ -228,12 +228,11 @@ namespace
           contacts[c].offset -= 2 * gap;
         system.reinit(contacts);
         system.assemble(model.state, model.targets, contacts);
-        const Outcome     outcome = solver.solve(system.matrix(),
-                                             model.state.q,
-                                             system.right_hand_side(),
-                                             0,
-                                             1e-3,
-                                             solution);
+        const Outcome outcome =
+          solver.solve({system.matrix(), system.right_hand_side()},
+                       model.state.q,
+                       {0, 1e-3},
+                       solution);
         const std::string name = ", contacts closed: " + std::to_string(closed);
         checks.equal("new patterns" + name,
                      system.matrix().pattern_version() - pattern,
@@ -315,7 +314,7 @@ namespace
     LinearSolver              solver(system, "double factor");
     std::vector<double>       step;
     const auto                solve_again = [&]() {
-      solver.solve(system.matrix(), model.state.q, gradient, 0, 1e-3, step);
+      solver.solve({system.matrix(), gradient}, model.state.q, {0, 1e-3}, step);
       return system.gather(step);
     };
     Eigen::VectorXd increment = solve_again();

@@ -39,14 +39,12 @@ namespace fiberloom
           if (local >= 0)
             load[layout.local_first_dof(local) + k] = 1;
           add(statistics,
-              solver.solve(system.matrix(),
+              solver.solve({system.matrix(), load, tolerance},
                            state.q,
-                           load,
-                           0,
-                           least_shift * system.stiffness_scale(),
-                           answer,
-                           LinearSolver::Indefinite::accepted,
-                           tolerance));
+                           {0,
+                            least_shift * system.stiffness_scale(),
+                            LinearSolver::Indefinite::accepted},
+                           answer));
           compliance.col(k) =
             system.gather(answer).segment<3>(layout.first_dof(block));
         }

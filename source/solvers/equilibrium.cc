@@ -105,17 +105,19 @@ namespace fiberloom
     std::vector<double>   solution;
     LinearSolver::Outcome outcome;
     {
-      ScopedTimer timer(statistics.seconds.linear_solver);
+      ScopedTimer  timer(statistics.seconds.linear_solver);
+      const double scale = system.stiffness_scale();
       outcome =
-        linear_solver.solve(system.matrix(),
+        linear_solver.solve({system.matrix(),
+                             system.right_hand_side(),
+                             damping > 0 ? damped_linear : exact_linear},
                             state.q,
-                            system.right_hand_side(),
-                            damping * system.stiffness_scale(),
-                            first_shift * system.stiffness_scale(),
-                            solution,
-                            has_potential ? LinearSolver::Indefinite::shifted :
-                                            LinearSolver::Indefinite::accepted,
-                            damping > 0 ? damped_linear : exact_linear);
+                            {damping * scale,
+                             first_shift * scale,
+                             has_potential ?
+                               LinearSolver::Indefinite::shifted :
+                               LinearSolver::Indefinite::accepted},
+                            solution);
     }
     ++statistics.newton_iterations;
     add(statistics, outcome);

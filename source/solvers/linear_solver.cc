@@ -96,69 +96,139 @@ namespace fiberloom
 
 
 
-  namespace
+  struct LinearSolver::Task
   {
-    /** Adds to @p outcome ; whether the true residual has become small. A
-     * preconditioner that is exact but for rounding is tried by itself first.
-     */
-    bool
-    iterate(BlockMatrix           &matrix,
-            Epetra_Operator       &preconditioner,
-            Epetra_Vector         &b,
-            Epetra_Vector         &x,
-            const double           relative_tolerance,
-            LinearSolver::Outcome &outcome,
-            const bool             is_exact = true,
-            const unsigned int     cycles   = largest_cycles)
-    {
-      ScopedTimer timer(outcome.krylov);
-      double      norm;
-      b.Norm2(&norm);
-      x.PutScalar(0);
-      if (norm == 0)
-        return true;
+    Task(const Equations     &equations,
+         std::vector<double> &solution,
+         Outcome             &outcome)
+      : matrix(equations.matrix)
+      , tolerance(equations.tolerance)
+      , b(Copy,
+          matrix.OperatorRangeMap(),
+          const_cast<double *>(equations.right_hand_side.data()))
+      , x(View, matrix.OperatorRangeMap(), resized(solution).data())
+      , outcome(outcome)
+    {}
 
-      // Around a factor of the same matrix one correction is mostly enough.
+    /** Whether the true residual has become small. */
+    bool
+    iterate(Epetra_Operator &preconditioner, const unsigned int cycles);
+
+    /** The same around what is exact but for rounding, which is tried by itself
+     * first. */
+    bool
+    correct(Epetra_Operator &preconditioner);
+
+    /** Of the solution. */
+    bool
+    descends() const
+    {
+      double slope;
+      x.Dot(b, &slope);
+      return slope >= 0;
+    }
+
+    BlockMatrix  &matrix;
+    const double  tolerance;
+    Epetra_Vector b, x;
+    Outcome      &outcome;
+
+  private:
+    /** From the solution as it is. */
+    bool
+    go_on(Epetra_Operator &preconditioner, const unsigned int cycles);
+
+    static double
+    norm_of(const Epetra_Vector &vector)
+    {
+      double norm;
+      vector.Norm2(&norm);
+      return norm;
+    }
+
+    std::vector<double> &
+    resized(std::vector<double> &solution) const
+    {
+      solution.resize(matrix.OperatorRangeMap().NumMyElements());
+      return solution;
+    }
+  };
+
+
+
+  bool
+  LinearSolver::Task::iterate(Epetra_Operator   &preconditioner,
+                              const unsigned int cycles)
+  {
+    x.PutScalar(0);
+    return go_on(preconditioner, cycles);
+  }
+
+
+
+  bool
+  LinearSolver::Task::correct(Epetra_Operator &preconditioner)
+  {
+    x.PutScalar(0);
+    {
+      ScopedTimer   timer(outcome.krylov);
+      const double  norm = norm_of(b);
       Epetra_Vector residual(b), product(b.Map()), correction(b.Map());
-      for (double before = norm, after = 0; is_exact; before = after)
+      // Around a factor of the same matrix one correction is mostly enough.
+      for (double before = norm, after = 0; before > 0; before = after)
         {
           preconditioner.ApplyInverse(residual, correction);
           matrix.Apply(correction, product);
           ++outcome.iterations;
           residual.Update(-1, product, 1);
-          residual.Norm2(&after);
+          after = norm_of(residual);
           if (!(after < before))
             break;
           x.Update(1, correction, 1);
-          if (after <= relative_tolerance * norm)
+          if (after <= tolerance * norm)
             return true;
           if (after > largest_contraction * before)
             break;
         }
-
-      AztecOO krylov;
-      krylov.SetUserOperator(&matrix);
-      krylov.SetLHS(&x);
-      krylov.SetRHS(&b);
-      krylov.SetPrecOperator(&preconditioner);
-      krylov.SetAztecOption(AZ_solver, AZ_gmres);
-      krylov.SetAztecOption(AZ_kspace, krylov_space);
-      krylov.SetAztecOption(AZ_output, AZ_none);
-      krylov.SetAztecOption(AZ_conv, AZ_rhs);
-      // The method estimates its residual as if the preconditioner were
-      // exactly linear; in single precision it is not, so the true one decides.
-      for (unsigned int cycle = 0; cycle < cycles; ++cycle)
-        {
-          krylov.Iterate(krylov_space, relative_tolerance);
-          outcome.iterations += krylov.NumIters();
-          if (krylov.TrueResidual() <= relative_tolerance * norm)
-            return true;
-        }
-      return false;
     }
+    return go_on(preconditioner, largest_cycles);
+  }
 
 
 
+  bool
+  LinearSolver::Task::go_on(Epetra_Operator   &preconditioner,
+                            const unsigned int cycles)
+  {
+    ScopedTimer  timer(outcome.krylov);
+    const double norm = norm_of(b);
+    if (norm == 0)
+      return true;
+    AztecOO krylov;
+    krylov.SetUserOperator(&matrix);
+    krylov.SetLHS(&x);
+    krylov.SetRHS(&b);
+    krylov.SetPrecOperator(&preconditioner);
+    krylov.SetAztecOption(AZ_solver, AZ_gmres);
+    krylov.SetAztecOption(AZ_kspace, krylov_space);
+    krylov.SetAztecOption(AZ_output, AZ_none);
+    krylov.SetAztecOption(AZ_conv, AZ_rhs);
+    // The method estimates its residual as if the preconditioner were
+    // exactly linear; in single precision it is not, so the true one decides.
+    for (unsigned int cycle = 0; cycle < cycles; ++cycle)
+      {
+        krylov.Iterate(krylov_space, tolerance);
+        outcome.iterations += krylov.NumIters();
+        if (krylov.TrueResidual() <= tolerance * norm)
+          return true;
+      }
+    return false;
+  }
+
+
+
+  namespace
+  {
     /** What @p factorize returns; adds to @p outcome . */
     template <typename Factorize>
     int
@@ -188,14 +258,10 @@ namespace fiberloom
 
 
   LinearSolver::Outcome
-  LinearSolver::solve(BlockMatrix               &matrix,
-                      const Eigen::VectorXd     &q,
-                      const std::vector<double> &right_hand_side,
-                      const double               damping,
-                      const double               shift_unit,
-                      std::vector<double>       &solution,
-                      const Indefinite           indefinite,
-                      const double               tolerance)
+  LinearSolver::solve(const Equations       &equations,
+                      const Eigen::VectorXd &q,
+                      const Diagonal        &diagonal,
+                      std::vector<double>   &solution)
   {
     Outcome outcome;
     if (gave_way && was_indefinite)
@@ -204,17 +270,12 @@ namespace fiberloom
         factor.reset();
         use_preferred();
       }
-    relative_tolerance = tolerance;
-    matrix.add_to_diagonal(damping);
+    BlockMatrix &matrix = equations.matrix;
+    matrix.add_to_diagonal(diagonal.damping);
 
-    solution.resize(right_hand_side.size());
-    const Epetra_Map &map = matrix.OperatorRangeMap();
-    Epetra_Vector b(Copy, map, const_cast<double *>(right_hand_side.data()));
-    Epetra_Vector x(View, map, solution.data());
-    if (multigrid &&
-        solve_by_multigrid(matrix, b, shift_unit, x, indefinite, outcome))
-      return outcome;
-    if (blocks && solve_by_blocks(matrix, b, x, outcome))
+    Task task(equations, solution, outcome);
+    if ((multigrid && solve_by_multigrid(task, diagonal)) ||
+        (blocks && solve_by_blocks(task)))
       return outcome;
 
     // What made it too coarse will be there again, unless it is the matrix.
@@ -226,17 +287,14 @@ namespace fiberloom
     };
     if (sections)
       {
-        if (solve_by_sections(matrix, q, b, shift_unit, x, indefinite, outcome))
+        if (solve_by_sections(task, q, diagonal))
           return outcome;
         give_way_to(precision);
       }
-    const auto solve_by_current_factor = [&]() {
-      return solve_by_factor(matrix, b, shift_unit, x, indefinite, outcome);
-    };
-    if (!solve_by_current_factor())
+    if (!solve_by_factor(task, diagonal))
       {
         give_way_to(DirectFactor::Precision::double_precision);
-        solve_by_current_factor();
+        solve_by_factor(task, diagonal);
       }
     was_indefinite = outcome.negative_pivots > 0;
     return outcome;
@@ -245,45 +303,29 @@ namespace fiberloom
 
 
   bool
-  LinearSolver::solve_again(BlockMatrix               &matrix,
-                            const std::vector<double> &right_hand_side,
-                            const double               tolerance,
-                            std::vector<double>       &solution,
-                            Outcome                   &outcome)
+  LinearSolver::solve_again(const Equations     &equations,
+                            std::vector<double> &solution,
+                            Outcome             &outcome)
   {
-    solution.resize(right_hand_side.size());
-    const Epetra_Map &map = matrix.OperatorRangeMap();
-    Epetra_Vector b(Copy, map, const_cast<double *>(right_hand_side.data()));
-    Epetra_Vector x(View, map, solution.data());
+    Task task(equations, solution, outcome);
     if (multigrid)
-      return iterate(
-        matrix, multigrid->preconditioner(), b, x, tolerance, outcome);
+      return task.correct(multigrid->preconditioner());
     if (sections)
-      return iterate(matrix,
-                     *sections,
-                     b,
-                     x,
-                     tolerance,
-                     outcome,
-                     false,
-                     largest_section_cycles);
-    FactorPreconditioner preconditioner(*factor, matrix);
-    return iterate(matrix, preconditioner, b, x, tolerance, outcome);
+      return task.iterate(*sections, largest_section_cycles);
+    FactorPreconditioner preconditioner(*factor, task.matrix);
+    return task.correct(preconditioner);
   }
 
 
 
   bool
-  LinearSolver::solve_coupled(BlockMatrix               &matrix,
-                              const std::vector<double> &right_hand_side,
-                              const double               tolerance,
-                              std::vector<double>       &solution,
-                              Outcome                   &outcome)
+  LinearSolver::solve_coupled(const Equations     &equations,
+                              std::vector<double> &solution,
+                              Outcome             &outcome)
   {
-    matrix.use_outer_products(true);
-    const bool found =
-      solve_again(matrix, right_hand_side, tolerance, solution, outcome);
-    matrix.use_outer_products(false);
+    equations.matrix.use_outer_products(true);
+    const bool found = solve_again(equations, solution, outcome);
+    equations.matrix.use_outer_products(false);
     return found;
   }
 
@@ -313,14 +355,13 @@ namespace fiberloom
 
 
   bool
-  LinearSolver::solve_by_sections(BlockMatrix           &matrix,
+  LinearSolver::solve_by_sections(Task                  &task,
                                   const Eigen::VectorXd &q,
-                                  Epetra_Vector         &b,
-                                  const double           shift_unit,
-                                  Epetra_Vector         &x,
-                                  const Indefinite       indefinite,
-                                  Outcome               &outcome)
+                                  const Diagonal        &diagonal)
   {
+    BlockMatrix &matrix     = task.matrix;
+    Outcome     &outcome    = task.outcome;
+    const auto   indefinite = diagonal.indefinite;
     {
       ScopedTimer timer(outcome.analysis);
       sections->analyse(matrix, q);
@@ -328,7 +369,7 @@ namespace fiberloom
     for (unsigned int attempt = 0; attempt <= largest_single_shifts; ++attempt)
       {
         if (attempt > 0)
-          shift_more(matrix, attempt, shift_unit, outcome);
+          shift_more(matrix, attempt, diagonal.shift_unit, outcome);
         const double dropped = dropped_over_damping * matrix.least_addition();
         const int    negative_pivots = timed(outcome, [&]() {
           return sections->factorize(matrix, dropped);
@@ -340,14 +381,7 @@ namespace fiberloom
         if (negative_pivots < 0 ||
             (negative_pivots > 0 && indefinite == Indefinite::shifted))
           continue;
-        if (!iterate(matrix,
-                     *sections,
-                     b,
-                     x,
-                     relative_tolerance,
-                     outcome,
-                     false,
-                     largest_section_cycles))
+        if (!task.iterate(*sections, largest_section_cycles))
           {
             // Nearly singular: more damping helps a damped step, and is far
             // cheaper than a factor of the whole.
@@ -356,11 +390,10 @@ namespace fiberloom
             continue;
           }
         // Motions and strains may both be definite where the whole is not.
-        double slope;
-        x.Dot(b, &slope);
-        if (slope < 0 && indefinite == Indefinite::refused)
+        const bool descends = task.descends();
+        if (!descends && indefinite == Indefinite::refused)
           outcome.negative_pivots = 1;
-        if (slope >= 0 || indefinite != Indefinite::shifted)
+        if (descends || indefinite != Indefinite::shifted)
           return true;
       }
     return false;
@@ -369,37 +402,33 @@ namespace fiberloom
 
 
   bool
-  LinearSolver::solve_by_factor(BlockMatrix     &matrix,
-                                Epetra_Vector   &b,
-                                const double     shift_unit,
-                                Epetra_Vector   &x,
-                                const Indefinite indefinite,
-                                Outcome         &outcome)
+  LinearSolver::solve_by_factor(Task &task, const Diagonal &diagonal)
   {
     const bool in_single =
       precision == DirectFactor::Precision::single_precision;
+    Outcome &outcome = task.outcome;
     {
       ScopedTimer timer(outcome.analysis);
-      factor->analyse(matrix);
+      factor->analyse(task.matrix);
     }
     for (unsigned int attempt = 0;; ++attempt)
       {
         const int negative_pivots =
-          timed(outcome, [&]() { return factor->factorize(matrix); });
+          timed(outcome, [&]() { return factor->factorize(task.matrix); });
         if (attempt == 0)
           outcome.negative_pivots = negative_pivots;
-        if (negative_pivots != 0 && indefinite == Indefinite::refused)
+        if (negative_pivots != 0 && diagonal.indefinite == Indefinite::refused)
           return true;
         if (negative_pivots == 0 ||
-            (negative_pivots > 0 && indefinite == Indefinite::accepted))
+            (negative_pivots > 0 &&
+             diagonal.indefinite == Indefinite::accepted))
           break;
         if (in_single && attempt == largest_single_shifts)
           return false;
-        shift_more(matrix, attempt, shift_unit, outcome);
+        shift_more(task.matrix, attempt, diagonal.shift_unit, outcome);
       }
-    FactorPreconditioner preconditioner(*factor, matrix);
-    return iterate(matrix, preconditioner, b, x, relative_tolerance, outcome) ||
-           !in_single;
+    FactorPreconditioner preconditioner(*factor, task.matrix);
+    return task.correct(preconditioner) || !in_single;
   }
 
 
@@ -417,56 +446,39 @@ namespace fiberloom
 
 
   bool
-  LinearSolver::solve_by_multigrid(BlockMatrix     &matrix,
-                                   Epetra_Vector   &b,
-                                   const double     shift_unit,
-                                   Epetra_Vector   &x,
-                                   const Indefinite indefinite,
-                                   Outcome         &outcome)
+  LinearSolver::solve_by_multigrid(Task &task, const Diagonal &diagonal)
   {
+    Outcome &outcome        = task.outcome;
     outcome.negative_pivots = -1;
     for (unsigned int attempt = 0;; ++attempt)
       {
         {
           ScopedTimer timer(outcome.analysis);
-          multigrid->build(matrix);
+          multigrid->build(task.matrix);
         }
-        if (!iterate(matrix,
-                     multigrid->preconditioner(),
-                     b,
-                     x,
-                     relative_tolerance,
-                     outcome))
+        if (!task.correct(multigrid->preconditioner()))
           return false;
-        double slope;
-        x.Dot(b, &slope);
-        if (slope >= 0 || indefinite != Indefinite::shifted)
+        if (task.descends() || diagonal.indefinite != Indefinite::shifted)
           return true;
-        shift_more(matrix, attempt, shift_unit, outcome);
+        shift_more(task.matrix, attempt, diagonal.shift_unit, outcome);
       }
   }
 
 
 
   bool
-  LinearSolver::solve_by_blocks(BlockMatrix   &matrix,
-                                Epetra_Vector &b,
-                                Epetra_Vector &x,
-                                Outcome       &outcome)
+  LinearSolver::solve_by_blocks(Task &task)
   {
+    Outcome &outcome = task.outcome;
     {
       ScopedTimer timer(outcome.analysis);
-      blocks->analyse(matrix);
+      blocks->analyse(task.matrix);
     }
     outcome.negative_pivots =
-      timed(outcome, [&]() { return blocks->factorize(matrix); });
-    if (outcome.negative_pivots != 0 ||
-        !iterate(matrix, *blocks, b, x, relative_tolerance, outcome))
-      return false;
+      timed(outcome, [&]() { return blocks->factorize(task.matrix); });
     // Both blocks may be definite where the whole is not.
-    double slope;
-    x.Dot(b, &slope);
-    return slope >= 0;
+    return outcome.negative_pivots == 0 && task.correct(*blocks) &&
+           task.descends();
   }
 
 

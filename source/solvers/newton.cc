@@ -307,16 +307,14 @@ namespace fiberloom
     std::vector<double>   right_hand_side = system.right_hand_side();
     moving.restrict(right_hand_side);
     {
-      ScopedTimer timer(statistics.seconds.linear_solver);
-      outcome = solver().solve(system.matrix(),
+      ScopedTimer  timer(statistics.seconds.linear_solver);
+      const double scale = system.stiffness_scale();
+      outcome = solver().solve({system.matrix(), right_hand_side, forcing()},
                                state.q,
-                               right_hand_side,
-                               damping * system.stiffness_scale(),
-                               std::max(least_damping, damping) *
-                                 system.stiffness_scale(),
-                               step.solution,
-                               indefinite,
-                               forcing());
+                               {damping * scale,
+                                std::max(least_damping, damping) * scale,
+                                indefinite},
+                               step.solution);
     }
     add(statistics, outcome);
     if (is_exact && moving.are_all())
@@ -622,8 +620,9 @@ namespace fiberloom
         LinearSolver::Outcome outcome;
         {
           ScopedTimer timer(statistics.seconds.linear_solver);
-          if (!solver().solve_again(
-                system.matrix(), defect, forcing(), solution, outcome))
+          if (!solver().solve_again({system.matrix(), defect, forcing()},
+                                    solution,
+                                    outcome))
             break;
         }
         add(statistics, outcome);

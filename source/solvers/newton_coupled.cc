@@ -137,9 +137,9 @@ namespace fiberloom
           linear_solver.factorize(system.matrix(), generated_at, outcome);
           factor_is_behind = false;
         }
-      found = linear_solver.solve_coupled(system.matrix(),
-                                          right_hand_side,
-                                          rough_tolerance,
+      found = linear_solver.solve_coupled({system.matrix(),
+                                           right_hand_side,
+                                           rough_tolerance},
                                           step.solution,
                                           outcome);
     }

@@ -67,44 +67,49 @@ namespace fiberloom
       double       krylov          = 0;
     };
 
-    /**
-     * @p q : where the fibers are. @p solution : the owned part, resized.
-     * @p damping is added to the diagonal of @p matrix in any case, @p
-     * shift_unit is the smallest shift to be tried where that is indefinite
-     * [N/mm]. The residual is reduced to @p tolerance times the right hand
-     * side. Throws StageFailure if no shift helps.
-     */
-    Outcome
-    solve(BlockMatrix               &matrix,
-          const Eigen::VectorXd     &q,
-          const std::vector<double> &right_hand_side,
-          const double               damping,
-          const double               shift_unit,
-          std::vector<double>       &solution,
-          const Indefinite           indefinite = Indefinite::shifted,
-          const double               tolerance  = 1e-9);
+    /** A system whose residual is reduced to @p tolerance times the right hand
+     * side. */
+    struct Equations
+    {
+      BlockMatrix               &matrix;
+      const std::vector<double> &right_hand_side; // the owned part
+      double                     tolerance = 1e-9;
+    };
 
-    /** The last system with another right hand side, around the same factor.
-     * False where that does not converge. */
+    /** What the diagonal gets in any case, and in the first attempt where the
+     * matrix is indefinite [N/mm]. */
+    struct Diagonal
+    {
+      double     damping;
+      double     shift_unit;
+      Indefinite indefinite = Indefinite::shifted;
+    };
+
+    /** @p q : where the fibers are. @p solution : the owned part, resized.
+     * Throws StageFailure if no shift helps. */
+    Outcome
+    solve(const Equations       &equations,
+          const Eigen::VectorXd &q,
+          const Diagonal        &diagonal,
+          std::vector<double>   &solution);
+
+    /** Around the factor of the last system. False where that does not
+     * converge. */
     bool
-    solve_again(BlockMatrix               &matrix,
-                const std::vector<double> &right_hand_side,
-                const double               tolerance,
-                std::vector<double>       &solution,
-                Outcome                   &outcome);
+    solve_again(const Equations     &equations,
+                std::vector<double> &solution,
+                Outcome             &outcome);
 
     /** A factor of @p matrix without its outer products, definite or not,
      * around which systems are solved again. */
     void
     factorize(BlockMatrix &matrix, const Eigen::VectorXd &q, Outcome &outcome);
 
-    /** The same, with the outer products of @p matrix . */
+    /** As solve_again(), with the outer products of the matrix. */
     bool
-    solve_coupled(BlockMatrix               &matrix,
-                  const std::vector<double> &right_hand_side,
-                  const double               tolerance,
-                  std::vector<double>       &solution,
-                  Outcome                   &outcome);
+    solve_coupled(const Equations     &equations,
+                  std::vector<double> &solution,
+                  Outcome             &outcome);
 
     /** What was kept of earlier systems to save time: from here on, a run that
      * is restarted does the same as one that goes on. */
@@ -123,45 +128,30 @@ namespace fiberloom
     void
     use(const DirectFactor::Precision chosen);
 
+    /** Equations with their solution and what it takes. */
+    struct Task;
+
     /** Whether that came to its end with a descent. */
     bool
-    solve_by_sections(BlockMatrix           &matrix,
+    solve_by_sections(Task                  &task,
                       const Eigen::VectorXd &q,
-                      Epetra_Vector         &b,
-                      const double           shift_unit,
-                      Epetra_Vector         &x,
-                      const Indefinite       indefinite,
-                      Outcome               &outcome);
+                      const Diagonal        &diagonal);
 
-    /** Adds to @p outcome ; false where the factor is too coarse. */
+    /** False where the factor is too coarse. */
     bool
-    solve_by_factor(BlockMatrix     &matrix,
-                    Epetra_Vector   &b,
-                    const double     shift_unit,
-                    Epetra_Vector   &x,
-                    const Indefinite indefinite,
-                    Outcome         &outcome);
+    solve_by_factor(Task &task, const Diagonal &diagonal);
 
     bool
-    solve_by_multigrid(BlockMatrix     &matrix,
-                       Epetra_Vector   &b,
-                       const double     shift_unit,
-                       Epetra_Vector   &x,
-                       const Indefinite indefinite,
-                       Outcome         &outcome);
+    solve_by_multigrid(Task &task, const Diagonal &diagonal);
 
     /** Whether that came to its end with a descent. */
     bool
-    solve_by_blocks(BlockMatrix   &matrix,
-                    Epetra_Vector &b,
-                    Epetra_Vector &x,
-                    Outcome       &outcome);
+    solve_by_blocks(Task &task);
 
     const System                          &system;
     const std::string                      name;
-    double                                 relative_tolerance = 0;
-    bool                                   gave_way           = false;
-    bool                                   was_indefinite     = false;
+    bool                                   gave_way       = false;
+    bool                                   was_indefinite = false;
     DirectFactor::Precision                precision;
     std::unique_ptr<DirectFactor>          factor;    // or null
     std::unique_ptr<SectionPreconditioner> sections;  // or null
