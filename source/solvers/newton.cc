@@ -78,8 +78,10 @@ namespace fiberloom
             !moving.are_worth_it(poor_model, largest_change))
           {
             moving.release();
-            continue;
+            if (is_exact && !is_exact_worth_it(problem))
+              continue;
           }
+        restrict_to_moving();
         measure(problem);
         watch({residual, damping, last_factor});
         if (!moves && n > 0 && depths_are_known(problem) && stiffen())
@@ -256,6 +258,13 @@ namespace fiberloom
     system.set_curvature(curvature);
     increment.assemble(state, problem);
     gradient = system.right_hand_side();
+  }
+
+
+
+  void
+  Newton::restrict_to_moving()
+  {
     moving.restrict_matrix();
     moving.restrict(gradient);
   }
@@ -383,6 +392,7 @@ namespace fiberloom
     if (is_exact && !solve_linear(state, least, Indefinite::refused, step))
       {
         assemble(state, problem, definite(problem));
+        restrict_to_moving();
         if (is_bounded)
           bounds.add_to_matrix();
       }

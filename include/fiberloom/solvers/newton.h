@@ -179,6 +179,10 @@ namespace fiberloom
              const Problem  &problem,
              const Curvature curvature);
 
+    /** What was assembled. */
+    void
+    restrict_to_moving();
+
     /** What contacts that @p step closes make of it; false where it is not
      * finite. */
     bool
