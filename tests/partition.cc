@@ -56,11 +56,9 @@ namespace
 
     std::vector<double> solution;
     LinearSolver(system, "double factor")
-      .solve(system.matrix(),
+      .solve({system.matrix(), system.right_hand_side()},
              model.state.q,
-             system.right_hand_side(),
-             0,
-             1e-3 * system.stiffness_scale(),
+             {0, 1e-3 * system.stiffness_scale()},
              solution);
     result.solution = system.gather(solution);
     return result;

@@ -214,6 +214,7 @@ namespace fiberloom
     ContactState    before;
     before.zones.swap(state.zones);
     std::vector<ContactElement> contacts;
+    cells_may_merge = q_of_cell == q_before;
     add_proximity_zones(q, rule, before, state, contacts);
     if (rule.from_above)
       add_woven_crossings(q, rule, before, state, contacts);

@@ -98,7 +98,9 @@ namespace fiberloom
         parts *= 2;
       return parts;
     };
-    return std::clamp(now, needed(overlap), needed(coarsened_below * overlap));
+    const unsigned int kept =
+      cells_may_merge ? std::min(now, needed(coarsened_below * overlap)) : now;
+    return std::max(kept, needed(overlap));
   }
 
 

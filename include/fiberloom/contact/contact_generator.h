@@ -68,7 +68,7 @@ namespace fiberloom
      * Collective. All contact elements at placement @p q . Zones in @p state
      * are replaced by the ones found, which inherit from their predecessors;
      * its history is read. @p q_before is the placement of the last accepted
-     * increment.
+     * increment; only there may stations become fewer.
      */
     std::vector<ContactElement>
     generate(const DofVector   &q,
@@ -193,8 +193,8 @@ namespace fiberloom
     /**
      * A power of two, as many as a cell of @p cell around @p u needs: fibers
      * at an angle overlap on a length that shrinks with it. The number before,
-     * @p now , stays where it is not much too large, so that stations do not
-     * come and go by turns.
+     * @p now , becomes smaller only where cells may merge and it is much too
+     * large, so that stations do not come and go by turns.
      */
     unsigned int
     stations_in_cell(const ProximityZone &zone,
@@ -231,6 +231,7 @@ namespace fiberloom
     ProximitySearch          search;
 
     std::vector<std::array<unsigned int, 2>> woven_pairs; // fibers that cross
+    bool cells_may_merge = true; // where an increment begins
   };
 } // namespace fiberloom
 
