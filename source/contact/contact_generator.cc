@@ -214,8 +214,7 @@ namespace fiberloom
     ContactState    before;
     before.zones.swap(state.zones);
     std::vector<ContactElement> contacts;
-    // Where a minimum without friction lies must not depend on the way there.
-    cells_may_merge = !rule.friction || q_of_cell == q_before;
+    cells_may_merge = q_of_cell == q_before;
     add_proximity_zones(q, rule, before, state, contacts);
     if (rule.from_above)
       add_woven_crossings(q, rule, before, state, contacts);

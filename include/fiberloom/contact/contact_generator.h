@@ -68,7 +68,7 @@ namespace fiberloom
      * Collective. All contact elements at placement @p q . Zones in @p state
      * are replaced by the ones found, which inherit from their predecessors;
      * its history is read. @p q_before is the placement of the last accepted
-     * increment; with friction, only there may stations become fewer.
+     * increment; only there may stations become fewer.
      */
     std::vector<ContactElement>
     generate(const DofVector   &q,
@@ -231,7 +231,7 @@ namespace fiberloom
     ProximitySearch          search;
 
     std::vector<std::array<unsigned int, 2>> woven_pairs; // fibers that cross
-    bool cells_may_merge = true;                          // in this generation
+    bool cells_may_merge = true; // where an increment begins
   };
 } // namespace fiberloom
 
