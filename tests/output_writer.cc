@@ -100,15 +100,8 @@ namespace
     const DirectoryLock lock(directory, MPI_COMM_WORLD);
     const RunIdentity   identity = new_run(parameters, MPI_COMM_WORLD);
     Log                 log(MPI_COMM_WORLD);
-    double              seconds = 0;
-    OutputWriter        writer(parameters,
-                        fibers,
-                        mesh,
-                        ModelSize(),
-                        identity,
-                        log,
-                        MPI_COMM_WORLD,
-                        seconds);
+    OutputWriter        writer(
+      {parameters, fibers, mesh}, ModelSize(), identity, log, MPI_COMM_WORLD);
 
     State state;
     state.q = mesh.reference();

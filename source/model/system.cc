@@ -73,13 +73,13 @@ namespace fiberloom
                                  std::vector<NodeImage>())
     , supports(supports)
     , composite(composite)
+    , originals(composite == nullptr ? mesh.originals() :
+                                       composite->originals())
     , numbering(mesh,
                 composite == nullptr ? Eigen::VectorXd() :
                                        composite->matrix().reference(),
                 supports.bodies.size(),
                 comm)
-    , originals(composite == nullptr ? mesh.originals() :
-                                       composite->originals())
     , movement(mesh, supports, numbering, originals)
     , system_matrix(numbering,
                     rotation_lever(mesh),

@@ -7,6 +7,17 @@
 
 namespace fiberloom
 {
+  IncrementTable::Place
+  place_of(const IncrementReport &report)
+  {
+    return {report.state.stage,
+            report.stage,
+            report.state.increment,
+            report.state.load};
+  }
+
+
+
   LoadingCurve::LoadingCurve()
     : IncrementTable("loading_curve.csv")
   {}
@@ -14,16 +25,12 @@ namespace fiberloom
 
 
   void
-  LoadingCurve::append(const unsigned int stage_index,
-                       const std::string &stage,
-                       const unsigned int increment,
-                       const double       load,
-                       const CurveRow    &values)
+  LoadingCurve::append(const Place &place, const CurveRow &values)
   {
     Cells cells;
     for (const auto &[name, value] : values)
       cells.emplace_back(name, table_cell(value));
-    IncrementTable::append(stage_index, stage, increment, load, "", cells);
+    IncrementTable::append(place, "", cells);
   }
 
 

@@ -287,16 +287,12 @@ namespace fiberloom
 
 
   void
-  FabricTable::append(const unsigned int stage_index,
-                      const std::string &stage,
-                      const unsigned int increment,
-                      const double       load,
-                      const Measures    &measures)
+  FabricTable::append(const Place &place, const Measures &measures)
   {
     Cells cells;
     for (const auto &[name, value] : measures)
       cells.emplace_back(name, table_cell(value));
-    IncrementTable::append(stage_index, stage, increment, load, "", cells);
+    IncrementTable::append(place, "", cells);
   }
 
 

@@ -166,22 +166,21 @@ namespace fiberloom
 
 
   double
-  parameter_on_plane(const FiberMesh   &mesh,
-                     const DofVector   &q,
-                     const unsigned int fiber,
-                     const double       start,
-                     const Vector3     &point,
-                     const Vector3     &normal)
+  parameter_on_plane(const FiberMesh                    &mesh,
+                     const DofVector                    &q,
+                     const unsigned int                  fiber,
+                     const double                        start,
+                     const Eigen::Hyperplane<double, 3> &plane)
   {
     const double n = mesh.lines()[fiber].n_elements;
     double       u = start;
     for (unsigned int i = 0; i < 8; ++i)
       {
         const auto   section = mesh.section(q, mesh.locate(fiber, u));
-        const double slope   = section.center_derivative.dot(normal);
+        const double slope   = section.center_derivative.dot(plane.normal());
         if (slope <= 0)
           break;
-        const double step = (point - section.center).dot(normal) / slope;
+        const double step = -plane.signedDistance(section.center) / slope;
         u                 = std::clamp(u + step, 0., n);
         if (std::abs(step) < 1e-10)
           break;

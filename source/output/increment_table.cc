@@ -49,23 +49,21 @@ namespace fiberloom
 
 
   void
-  IncrementTable::append(const unsigned int stage_index,
-                         const std::string &stage,
-                         const unsigned int increment,
-                         const double       load,
+  IncrementTable::append(const Place       &place,
                          const std::string &key,
                          const Cells       &cells)
   {
     all_rows.erase(std::remove_if(all_rows.begin(),
                                   all_rows.end(),
                                   [&](const Row &row) {
-                                    return row.stage_index == stage_index &&
-                                           row.increment == increment &&
+                                    return row.stage_index ==
+                                             place.stage_index &&
+                                           row.increment == place.increment &&
                                            row.key == key;
                                   }),
                    all_rows.end());
 
-    Row row{stage_index, stage, increment, load, key, {}};
+    Row row{place, key, {}};
     for (const auto &[name, text] : cells)
       {
         const unsigned int c = column(name);

@@ -216,8 +216,7 @@ namespace fiberloom
                                  fiber,
                                  measured.fractions[e] *
                                    mesh.lines()[fiber].n_elements,
-                                 ends[e],
-                                 along / measured.length);
+                                 {along / measured.length, ends[e]});
       }
     return part;
   }

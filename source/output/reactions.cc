@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/output/curves.h>
 #include <fiberloom/output/reactions.h>
 
 namespace fiberloom
@@ -19,10 +20,7 @@ namespace fiberloom
       {
         const Vector3    &x = state.placements[b].position;
         const BodyVector &f = report.reactions[b];
-        IncrementTable::append(state.stage,
-                               report.stage,
-                               state.increment,
-                               state.load,
+        IncrementTable::append(place_of(report),
                                report.supports.bodies[b].name,
                                {{"x[mm]", table_cell(x[0])},
                                 {"y[mm]", table_cell(x[1])},

@@ -147,8 +147,7 @@ namespace fiberloom
                              q,
                              fiber,
                              fraction * mesh.lines()[fiber].n_elements,
-                             cut.center,
-                             cut.tangent);
+                             {cut.tangent, cut.center});
         const auto section = mesh.section(q, mesh.locate(fiber, u));
         cut.fibers.push_back(section);
         cut.areas.push_back(dealii::numbers::PI *

@@ -115,50 +115,54 @@ namespace fiberloom
       unsigned int width, height;
     };
 
+    /** Draws one object. */
+    struct Brush
+    {
+      Canvas            &canvas;
+      const PictureView &view;
+      const Color       &color;
+      const int          object;
+
+      void
+      draw(const std::array<Canvas::Corner, 3> &triangle) const
+      {
+        canvas.draw(triangle, color, object);
+      }
+    };
+
     void
-    draw_skin(Canvas            &canvas,
-              const PictureView &view,
-              const SectionSkin &skin,
-              const Color       &color,
-              const int          object)
+    draw_skin(const Brush &brush, const SectionSkin &skin)
     {
       const auto corner = [&](const unsigned int i) {
-        return view.corner(skin.points[i], skin.normals[i]);
+        return brush.view.corner(skin.points[i], skin.normals[i]);
       };
       for (unsigned int i = 0; i + 1 < skin.n_rings; ++i)
         for (unsigned int j = 0; j < skin.n_around; ++j)
           {
             const auto face = skin.face(i, j);
-            canvas.draw({{corner(face[0]), corner(face[1]), corner(face[2])}},
-                        color,
-                        object);
-            canvas.draw({{corner(face[0]), corner(face[2]), corner(face[3])}},
-                        color,
-                        object);
+            brush.draw({{corner(face[0]), corner(face[1]), corner(face[2])}});
+            brush.draw({{corner(face[0]), corner(face[2]), corner(face[3])}});
           }
     }
 
     void
-    draw_end(Canvas            &canvas,
-             const PictureView &view,
+    draw_end(const Brush       &brush,
              const SectionSkin &skin,
              const Section     &section,
-             const unsigned int ring,
-             const Color       &color,
-             const int          object)
+             const unsigned int ring)
     {
       const Vector3 normal =
         ring == 0 ? Vector3(-section.tangent()) : section.tangent();
       const auto corner = [&](const unsigned int j) {
-        return view.corner(
+        return brush.view.corner(
           skin.points[ring * skin.n_around + j % skin.n_around], normal);
       };
       for (unsigned int j = 0; j < skin.n_around; ++j)
-        canvas.draw(
-          {{view.corner(section.center, normal), corner(j), corner(j + 1)}},
-          color,
-          object);
+        brush.draw({{brush.view.corner(section.center, normal),
+                     corner(j),
+                     corner(j + 1)}});
     }
+
     bool
     is_shown(const Eigen::VectorXd &rest)
     {
@@ -240,15 +244,10 @@ namespace fiberloom
               .lighter(object < static_cast<int>(mesh.lines().size()) ?
                          0 :
                          neighbors_lighter);
-          draw_skin(canvas, view, skin, color, object);
-          draw_end(canvas, view, skin, sections.front(), 0, color, object);
-          draw_end(canvas,
-                   view,
-                   skin,
-                   sections.back(),
-                   skin.n_rings - 1,
-                   color,
-                   object);
+          const Brush brush{canvas, view, color, object};
+          draw_skin(brush, skin);
+          draw_end(brush, skin, sections.front(), 0);
+          draw_end(brush, skin, sections.back(), skin.n_rings - 1);
           ++object;
           mean_radius +=
             mesh.lines()[f].radius / (mesh.lines().size() * shifts.size());

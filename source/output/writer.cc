@@ -96,21 +96,17 @@ namespace fiberloom
 
 
 
-  OutputWriter::OutputWriter(const Parameters  &parameters,
-                             const FiberSet    &fibers,
-                             const FiberMesh   &mesh,
+  OutputWriter::OutputWriter(const Scene       &scene,
                              const ModelSize   &model,
                              const RunIdentity &run,
                              Log               &log,
-                             const MPI_Comm     comm,
-                             double            &output_seconds)
-    : parameters(parameters)
-    , fibers(fibers)
-    , mesh(mesh)
+                             const MPI_Comm     comm)
+    : parameters(scene.parameters)
+    , fibers(scene.fibers)
+    , mesh(scene.mesh)
     , identity(run)
     , log(log)
     , comm(comm)
-    , output_seconds(output_seconds)
     , model_description(describe_model(fibers, mesh))
     , fiber_series(parameters.output_directory, "fibers", comm)
     , section_series(parameters.output_directory, "sections", comm)
@@ -234,7 +230,7 @@ namespace fiberloom
     summary.model.contact_elements = report.contacts.size();
 
     if (report.last)
-      measure(report.stage, state.stage, state.increment, state.q);
+      measure({state.stage, report.stage, state.increment, 1}, state.q);
     if (!parameters.output.only_summary)
       write_files(report);
     if (report.last)
@@ -279,9 +275,10 @@ namespace fiberloom
   {
     const SecondsGuard guard(output_seconds);
     if (fabric.rows().empty())
-      measure(parameters.stages.back(),
-              parameters.stages.size() - 1,
-              0,
+      measure({static_cast<unsigned int>(parameters.stages.size() - 1),
+               parameters.stages.back(),
+               0,
+               1},
               state.q);
     if (!parameters.output.only_summary)
       collectively(comm, [&]() {
@@ -297,20 +294,13 @@ namespace fiberloom
 
 
   void
-  OutputWriter::measure(const std::string &stage,
-                        const unsigned int stage_index,
-                        const unsigned int increment,
-                        const DofVector   &q)
+  OutputWriter::measure(const IncrementTable::Place &place, const DofVector &q)
   {
     if (!fibers.pattern)
       return;
     const auto part = part_between_crossings(fibers, mesh, q);
     if (part)
-      fabric.append(stage_index,
-                    stage,
-                    increment,
-                    1,
-                    fabric_measures(fibers, mesh, q, *part));
+      fabric.append(place, fabric_measures(fibers, mesh, q, *part));
     else
       log.write("the fabric is not measured: it is not flat, or has less than "
                 "two tows in a direction");
@@ -558,11 +548,7 @@ namespace fiberloom
     collectively(comm, [&]() {
       if (!is_first_rank())
         return;
-      curve.append(report.state.stage,
-                   report.stage,
-                   report.state.increment,
-                   report.state.load,
-                   report.curve);
+      curve.append(place_of(report), report.curve);
       reactions.append(report);
       const bool durable = is_due(parameters.output.checkpoint_every, report);
       for (const IncrementTable *table : tables())

@@ -231,8 +231,7 @@ namespace fiberloom
         , supports(stage->supports(begun))
         , system(scene.mesh, supports, comm, scene.composite)
         , generator(scene.fibers, scene.mesh, scene.parameters.contact, comm)
-        , equilibrium(scene.mesh,
-                      scene.parameters,
+        , equilibrium(scene.parameters,
                       generator,
                       system,
                       statistics,

@@ -380,7 +380,7 @@ namespace fiberloom
              continues ? restart.output.log_size : 0);
     log_header();
     OutputWriter writer(
-      parameters, fibers, mesh, model_size(), run, log, comm, output_seconds);
+      {parameters, fibers, mesh}, model_size(), run, log, comm);
     begin_output(writer, state);
     for (const std::string &note : notes)
       log.write(note);
@@ -433,9 +433,9 @@ namespace fiberloom
           statistics = restart.stages[restart.state.stage];
 
         const unsigned int number        = state.stage;
-        const double       output_before = output_seconds;
+        const double       output_before = writer.seconds();
         const auto         record        = [&]() {
-          statistics.seconds.output += output_seconds - output_before;
+          statistics.seconds.output += writer.seconds() - output_before;
           writer.record(number, statistics);
         };
         State before_last;

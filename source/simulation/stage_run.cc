@@ -99,8 +99,7 @@ namespace fiberloom
                  nullptr)
     , supports(stage.supports(is_begun(state) ? state.stage_start_q : state.q))
     , system(scene.mesh, supports, comm, scene.composite)
-    , equilibrium(scene.mesh,
-                  scene.parameters,
+    , equilibrium(scene.parameters,
                   generator,
                   system,
                   statistics,

@@ -28,13 +28,12 @@ namespace fiberloom
 
 
 
-  Equilibrium::Equilibrium(const FiberMesh  &mesh,
-                           const Parameters &parameters,
+  Equilibrium::Equilibrium(const Parameters &parameters,
                            ContactGenerator &generator,
                            System           &system,
                            StageStatistics  &statistics,
                            Watch             watch)
-    : mesh(mesh)
+    : mesh(system.fiber_mesh())
     , parameters(parameters)
     , generator(generator)
     , system(system)
@@ -42,11 +41,8 @@ namespace fiberloom
     , statistics(statistics)
     , watch(std::move(watch))
     , increment(mesh, parameters.solver, generator, system, statistics)
-    , by_newton(mesh,
-                system,
+    , by_newton(increment,
                 linear_solver,
-                statistics,
-                increment,
                 parameters.solver.largest_move,
                 this->watch)
     , penetration(mesh, parameters.contact, system.motion())

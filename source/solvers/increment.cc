@@ -67,10 +67,10 @@ namespace fiberloom
                        System                 &system,
                        StageStatistics        &statistics)
     : mesh(mesh)
-    , parameters(parameters)
-    , generator(generator)
     , system(system)
     , statistics(statistics)
+    , parameters(parameters)
+    , generator(generator)
   {}
 
 

@@ -27,17 +27,14 @@ namespace fiberloom
 
 
 
-  Newton::Newton(const FiberMesh &mesh,
-                 System          &system,
-                 LinearSolver    &linear_solver,
-                 StageStatistics &statistics,
-                 Increment       &increment,
-                 const double     largest_move,
-                 Watch            watch)
-    : mesh(mesh)
-    , system(system)
+  Newton::Newton(Increment    &increment,
+                 LinearSolver &linear_solver,
+                 const double  largest_move,
+                 Watch         watch)
+    : mesh(increment.mesh)
+    , system(increment.system)
     , linear_solver(linear_solver)
-    , statistics(statistics)
+    , statistics(increment.statistics)
     , increment(increment)
     , largest_move(largest_move)
     , watch(std::move(watch))

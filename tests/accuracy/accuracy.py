@@ -79,7 +79,7 @@ class Runs:
         words = [os.path.join(PRM, file + ".prm")]
         for setting in QUIET + tuple(settings):
             words += ["--set", setting]
-        how = ([] if ranks == 1 else ["mpirun", "-np", f"{ranks}"]), ([] if checkpoint is None else ["--restart", checkpoint])
+        how = ([] if ranks == 1 else ["mpirun", "-np", f"{ranks}", "--oversubscribe"]), ([] if checkpoint is None else ["--restart", checkpoint])
         key = hashlib.sha256((self.key(words) + "".join(sum(how, []))).encode()).hexdigest()[:16]
         if key not in self.done:
             self.done[key] = self.kept(key) or self.run(words, key, *how)

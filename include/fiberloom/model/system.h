@@ -206,6 +206,12 @@ namespace fiberloom
       return movement;
     }
 
+    const FiberMesh &
+    fiber_mesh() const
+    {
+      return mesh;
+    }
+
     const BlockLayout &
     layout() const
     {

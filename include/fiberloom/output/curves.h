@@ -14,6 +14,10 @@
 
 namespace fiberloom
 {
+  /** Of which increment rows of tables about @p report are. */
+  IncrementTable::Place
+  place_of(const IncrementReport &report);
+
   /** The rows of loading_curve.csv, one for each accepted increment, and one
    * for the state in which a test begins. */
   class LoadingCurve : public IncrementTable
@@ -23,11 +27,7 @@ namespace fiberloom
 
     /** Values that are not finite are left empty. */
     void
-    append(const unsigned int stage_index,
-           const std::string &stage,
-           const unsigned int increment,
-           const double       load,
-           const CurveRow    &values);
+    append(const Place &place, const CurveRow &values);
 
     /** The values of @p column over the rows of a stage, NaN where empty. */
     std::vector<double>

@@ -41,11 +41,7 @@ namespace fiberloom
     FabricTable();
 
     void
-    append(const unsigned int stage_index,
-           const std::string &stage,
-           const unsigned int increment,
-           const double       load,
-           const Measures    &measures);
+    append(const Place &place, const Measures &measures);
 
     /** Those of the last row; empty if there is none. */
     Measures

@@ -44,17 +44,15 @@ namespace fiberloom
                   const unsigned int n_intervals);
 
   /**
-   * Parameter u at which @p fiber passes the plane through @p point across
-   * the unit vector @p normal , by Newton's method from @p start ; that of its
-   * end if it ends before.
+   * Parameter u at which @p fiber passes @p plane along its normal, by Newton's
+   * method from @p start ; that of its end if it ends before.
    */
   double
-  parameter_on_plane(const FiberMesh   &mesh,
-                     const DofVector   &q,
-                     const unsigned int fiber,
-                     const double       start,
-                     const Vector3     &point,
-                     const Vector3     &normal);
+  parameter_on_plane(const FiberMesh                    &mesh,
+                     const DofVector                    &q,
+                     const unsigned int                  fiber,
+                     const double                        start,
+                     const Eigen::Hyperplane<double, 3> &plane);
 } // namespace fiberloom
 
 #endif

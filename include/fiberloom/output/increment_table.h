@@ -23,13 +23,18 @@ namespace fiberloom
   class IncrementTable
   {
   public:
-    /** One line of the file. */
-    struct Row
+    /** Of which increment a row is. */
+    struct Place
     {
-      unsigned int             stage_index; // position in the scene
-      std::string              stage;
-      unsigned int             increment;
-      double                   load;
+      unsigned int stage_index; // position in the scene
+      std::string  stage;
+      unsigned int increment;
+      double       load;
+    };
+
+    /** One line of the file. */
+    struct Row : Place
+    {
       std::string              key;
       std::vector<std::string> cells; // as in columns, possibly fewer
     };
@@ -46,12 +51,7 @@ namespace fiberloom
 
     /** Adds a row; one of the same stage, increment and key is replaced. */
     void
-    append(const unsigned int stage_index,
-           const std::string &stage,
-           const unsigned int increment,
-           const double       load,
-           const std::string &key,
-           const Cells       &cells);
+    append(const Place &place, const std::string &key, const Cells &cells);
 
     /**
      * Takes up the rows of the text of a former file of a scene with @p stages

@@ -47,19 +47,15 @@ namespace fiberloom
   {
   public:
     /**
-     * Writes nothing yet. The output directory is that of a DirectoryLock.
-     * Seconds spent here are added to @p output_seconds . The references must
-     * outlive the writer; @p model goes to summary.json, @p run to all files
-     * that a restart relies on.
+     * Writes nothing yet. The output directory is that of a DirectoryLock. What
+     * @p scene refers to, and @p log , must outlive the writer; @p model goes
+     * to summary.json, @p run to all files that a restart relies on.
      */
-    OutputWriter(const Parameters  &parameters,
-                 const FiberSet    &fibers,
-                 const FiberMesh   &mesh,
+    OutputWriter(const Scene       &scene,
                  const ModelSize   &model,
                  const RunIdentity &run,
                  Log               &log,
-                 const MPI_Comm     comm,
-                 double            &output_seconds);
+                 const MPI_Comm     comm);
 
     /**
      * Goes on in the directory of the run that wrote @p checkpoint : keeps
@@ -138,6 +134,13 @@ namespace fiberloom
     void
     write_report(const std::string &scene);
 
+    /** Spent here so far. */
+    double
+    seconds() const
+    {
+      return output_seconds;
+    }
+
     /** Of the stages so far, those before a restart included. */
     const std::vector<StageStatistics> &
     stages() const
@@ -182,10 +185,7 @@ namespace fiberloom
 
     /** A row of fabric.csv, where there is a fabric. */
     void
-    measure(const std::string &stage,
-            const unsigned int stage_index,
-            const unsigned int increment,
-            const DofVector   &q);
+    measure(const IncrementTable::Place &place, const DofVector &q);
 
     /** breaks.csv, where fibers can break. */
     void
@@ -214,7 +214,7 @@ namespace fiberloom
     Log                         &log;
     Summary                      summary;
     MPI_Comm                     comm;
-    double                      &output_seconds;
+    double                       output_seconds = 0;
     std::string                  model_description;
     FieldSeries                  fiber_series;
     FieldSeries                  section_series;

@@ -151,8 +151,7 @@ namespace fiberloom
     ContactGenerator               generator;
     Log                            log;
     Checkpoint                     restart;
-    bool   continues      = false; // the files in the output directory
-    double output_seconds = 0;
+    bool continues = false; // the files in the output directory
   };
 } // namespace fiberloom
 

@@ -39,8 +39,7 @@ namespace fiberloom
      * References are kept. @p watch is called before each Newton iteration
      * and may throw.
      */
-    Equilibrium(const FiberMesh  &mesh,
-                const Parameters &parameters,
+    Equilibrium(const Parameters &parameters,
                 ContactGenerator &generator,
                 System           &system,
                 StageStatistics  &statistics,

@@ -102,6 +102,9 @@ namespace fiberloom
       system.set_plate_friction(kept.on_plates);
     }
 
+    const FiberMesh            &mesh;
+    System                     &system;
+    StageStatistics            &statistics;
     std::vector<ContactElement> contacts;
 
   private:
@@ -111,11 +114,8 @@ namespace fiberloom
     void
     find_contacts(State &state, const Problem &problem);
 
-    const FiberMesh        &mesh;
     const SolverParameters &parameters;
     ContactGenerator       &generator;
-    System                 &system;
-    StageStatistics        &statistics;
   };
 } // namespace fiberloom
 

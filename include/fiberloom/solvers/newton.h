@@ -47,13 +47,10 @@ namespace fiberloom
 
     /** References are kept. @p largest_move : of a step, over the radius; 0:
      * unlimited. @p watch is called before each iteration and may throw. */
-    Newton(const FiberMesh &mesh,
-           System          &system,
-           LinearSolver    &linear_solver,
-           StageStatistics &statistics,
-           Increment       &increment,
-           const double     largest_move,
-           Watch            watch);
+    Newton(Increment    &increment,
+           LinearSolver &linear_solver,
+           const double  largest_move,
+           Watch         watch);
 
     /**
      * Moves @p state , in which prescribed dofs are at their targets and
