@@ -44,6 +44,9 @@ def check_notes():
                "Fabric/Warp/Tow spacing=240")
     check_note("twill cut off", ["Fabric/Pattern", "repeats after 4 tows", "mid-period"], "Fabric/Pattern=twill 2/2",
                "Fabric/Warp/Tows=6", "Fabric/Fill/Tows=8")
+    check_note("pressed to more than fits", ["Compact/Fiber volume fraction", "about 0.34"], "Fabric/Periodic=true",
+               "Stages=weave, compact", "Compact/Fiber volume fraction=0.5", "Fabric/Warp/Tows=2", "Fabric/Warp/Fibers per tow=7",
+               "Fabric/Warp/Fiber radius=0.008", "Fabric/Warp/Tow spacing=0.256")
     check_note("set twice", ["--set", "Warp/Tows=2", "the later one counts"], "Fabric/Warp/Tows=4",
                "Fabric/Warp/Tows=2")
     with open(SMALL_WEAVE) as scene, open("twice.prm", "w") as twice:

@@ -8,6 +8,8 @@
 #include <fiberloom/fabric/fiber_density.h>
 #include <fiberloom/fabric/input_notes.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <boost/format.hpp>
 
 #include <algorithm>
@@ -161,6 +163,33 @@ namespace fiberloom
                        "out");
       }
 
+      /** Where a warp tow crosses a fill tow, a fiber of each lies between the
+       * plates. */
+      void
+      check_compaction()
+      {
+        const auto  &fabric = parameters.fabric;
+        const double wanted = parameters.compact.volume_fraction;
+        const auto  &stages = parameters.stages;
+        if (std::count(stages.begin(), stages.end(), "compact") == 0 ||
+            fabric.plies > 1)
+          return;
+        double volume = 0, thickness = 0; // over the area [mm]
+        for (const TowParameters *tows : {&fabric.warp, &fabric.fill})
+          {
+            volume += tows->fibers * dealii::numbers::PI * tows->fiber_radius *
+                      tows->fiber_radius / tows->tow_spacing;
+            thickness += 2 * tows->fiber_radius;
+          }
+        if (wanted * thickness > volume)
+          add(parameters.where("Compact/Fiber volume fraction") + " = " +
+              exact_text(wanted) +
+              ": where two fibers cross, the plates are two diameters apart, "
+              "which is a fraction of about " +
+              (boost::format("%.2g") % (volume / thickness)).str() +
+              "; beyond it only sections give way, under pressures of GPa");
+      }
+
       void
       tell_of_preview()
       {
@@ -201,6 +230,7 @@ namespace fiberloom
         if (!parameters.fabric.fill.same_as_warp)
           notes.check_tows(parameters.fabric.fill, "Fabric/Fill/");
         notes.check_period(*fibers.pattern);
+        notes.check_compaction();
       }
     else
       notes.check_fibers(fibers);
