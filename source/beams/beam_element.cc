@@ -47,8 +47,8 @@ namespace fiberloom
     };
 
     // Of a broken element's stiffness along the axis: enough for a factor in
-    // single precision, and with the gap as long as ten elements a force of
-    // some 1e-4 of what breaks a fiber at 2 %.
+    // single precision, and with a gap as long as the element a force of some
+    // 1e-4 of what breaks a fiber at 2 %.
     constexpr double rest = 1e-6;
 
     // Which nodal vector (x0, r g1, r g2) each of q1..q5 interpolates.
