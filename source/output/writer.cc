@@ -425,7 +425,12 @@ namespace fiberloom
         last = row.increment;
     for (const std::string &slice :
          slices_of_increment(path("slices"), increment_label(label, last)))
-      pictures.push_back({slice, "slice, " + label});
+      {
+        const std::string name = std::filesystem::path(slice).stem();
+        pictures.push_back(
+          {slice,
+           "slice " + name.substr(0, name.find("_" + label)) + ", " + label});
+      }
     return pictures;
   }
 

@@ -391,11 +391,16 @@ namespace fiberloom
     if (parameters.solver.benchmark)
       log_benchmark(writer.stages());
     if (status == 0)
-      log.write("results in " + parameters.output_directory + ": " +
-                (parameters.output.only_summary ?
-                   "summary.json" :
-                   "report.html for a first look, .pvd files for ParaView, "
-                   "loading_curve.csv, summary.json"));
+      log.write(
+        "results in " + parameters.output_directory + ": " +
+        (parameters.output.only_summary ?
+           "summary.json" :
+           "report.html for a first look, " +
+             std::string(std::filesystem::exists(parameters.output_directory +
+                                                 "/fibers.pvd") ?
+                           ".pvd files for ParaView, " :
+                           "") +
+             "loading_curve.csv, summary.json"));
     return status;
   }
 
