@@ -67,13 +67,19 @@ namespace
 
   /** The most stations in a cell of the only zone. */
   unsigned int
+  stations_in(const ContactState &state)
+  {
+    unsigned int most = 1;
+    for (const auto &cell : state.zones.at(0).divided)
+      most = std::max(most, cell.second);
+    return most;
+  }
+
+  unsigned int
   stations_of(ContactModel &model)
   {
     model.generate();
-    unsigned int most = 1;
-    for (const auto &cell : model.state.zones.at(0).divided)
-      most = std::max(most, cell.second);
-    return most;
+    return stations_in(model.state);
   }
 
   /**
@@ -115,6 +121,25 @@ namespace
     checks.equal("they come back where they are needed",
                  count_at(1.02 * without, true),
                  most);
+  }
+
+  /** Fibers turn along each other once a cell is divided: none of its stations
+   * goes before the next increment begins. */
+  void
+  check_increment(Checks &checks)
+  {
+    ContactModel model({along_x(), along_x(1.9)});
+    set_angle(model, std::cos(.3));
+    const DofVector    begin = model.q;
+    const unsigned int most  = stations_of(model);
+    const auto         count = [&](const DofVector &q_before) {
+      ContactState state = model.state;
+      model.generator.generate(model.q, q_before, standard, state);
+      return stations_in(state);
+    };
+    set_angle(model, std::cos(.001));
+    checks.equal("stations within an increment", count(begin), most);
+    checks.equal("where one begins", count(model.q), 1);
   }
 
   void
@@ -193,6 +218,7 @@ main(int argc, char **argv)
   Checks checks(output);
   check_hysteresis(checks);
   check_stations_stay(checks);
+  check_increment(checks);
   check_inheritance(checks);
   check_history(checks);
 }

@@ -466,12 +466,8 @@ namespace fiberloom
                          ", Fiber volume fraction and Pressure: one of them "
                          "says how far the plates go; allowed: one above 0");
       constexpr double packed = .9068996821171089; // pi / sqrt(12)
-      double           volume = 0;                 // over the area [mm]
-      for (const TowParameters *tows :
-           {&parameters.fabric.warp, &parameters.fabric.fill})
-        volume += tows->fibers * M_PI * tows->fiber_radius *
-                  tows->fiber_radius / tows->tow_spacing *
-                  parameters.fabric.plies;
+      const double     volume =
+        parameters.fabric.volume_over_area() * parameters.fabric.plies;
       if (compact.thickness > 0 && compact.thickness <= volume / packed)
         throw InputError(parameters.where("Compact/Thickness") + " = " +
                          exact_text(compact.thickness) +

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <ostream>
 #include <regex>
 #include <set>
@@ -98,6 +99,18 @@ namespace fiberloom
       given.push_back("Arrangement");
     return given;
   }
+
+  double
+  FabricParameters::volume_over_area() const
+  {
+    double volume = 0;
+    for (const TowParameters *tows : {&warp, &fill})
+      volume += tows->fibers * M_PI * tows->fiber_radius * tows->fiber_radius /
+                tows->tow_spacing;
+    return volume;
+  }
+
+
 
   Parameters
   Parameters::parse(const std::string              &file,

@@ -8,8 +8,6 @@
 #include <fiberloom/fabric/fiber_density.h>
 #include <fiberloom/fabric/input_notes.h>
 
-#include <deal.II/base/numbers.h>
-
 #include <boost/format.hpp>
 
 #include <algorithm>
@@ -168,26 +166,27 @@ namespace fiberloom
       void
       check_compaction()
       {
-        const auto  &fabric = parameters.fabric;
-        const double wanted = parameters.compact.volume_fraction;
-        const auto  &stages = parameters.stages;
+        const auto  &fabric  = parameters.fabric;
+        const auto  &compact = parameters.compact;
+        const auto  &stages  = parameters.stages;
+        const double two =
+          2 * (fabric.warp.fiber_radius + fabric.fill.fiber_radius);
+        const double fraction =
+          compact.thickness > 0 ?
+            fabric.volume_over_area() / compact.thickness :
+            compact.volume_fraction;
         if (std::count(stages.begin(), stages.end(), "compact") == 0 ||
-            fabric.plies > 1)
+            fabric.plies > 1 || fraction * two <= fabric.volume_over_area())
           return;
-        double volume = 0, thickness = 0; // over the area [mm]
-        for (const TowParameters *tows : {&fabric.warp, &fabric.fill})
-          {
-            volume += tows->fibers * dealii::numbers::PI * tows->fiber_radius *
-                      tows->fiber_radius / tows->tow_spacing;
-            thickness += 2 * tows->fiber_radius;
-          }
-        if (wanted * thickness > volume)
-          add(parameters.where("Compact/Fiber volume fraction") + " = " +
-              exact_text(wanted) +
-              ": where two fibers cross, the plates are two diameters apart, "
-              "which is a fraction of about " +
-              (boost::format("%.2g") % (volume / thickness)).str() +
-              "; beyond it only sections give way, under pressures of GPa");
+        add(parameters.where(compact.thickness > 0 ?
+                               "Compact/Thickness" :
+                               "Compact/Fiber volume fraction") +
+            ": plates are two fibers apart where tows cross in single layers, "
+            "at a fraction of about " +
+            (boost::format("%.2g") % (fabric.volume_over_area() / two)).str() +
+            " and a thickness of " + exact_text(rounded(two)) +
+            " mm; beyond that only sections give way, and pressures grow by "
+            "orders of magnitude");
       }
 
       void

@@ -64,6 +64,10 @@ namespace fiberloom
     std::vector<unsigned int> ply_rotation; // quarter turns; empty: none
     TowParameters             warp;
     TowParameters             fill;
+
+    /** Of the fibers of one ply, over its area while flat [mm]. */
+    double
+    volume_over_area() const;
   };
 
   /** Straight parallel fibers along x, packed hexagonally. */
