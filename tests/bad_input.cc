@@ -225,6 +225,8 @@ check_files()
       {"line 3", "Matrix/Poisson ratio", "below 0.5"}},
      {matrix + "set Overlap = 0.05\nset Thickness = 0.04\nend\n",
       {"line 4", "Matrix/Thickness", "overlap", "0.05"}},
+     {matrix + "set Thickness = 1e308\nend\n",
+      {"line 3", "Matrix/Thickness", "1e+06"}},
      {matrix + "set Degree = 3\nend\n", {"line 3", "Matrix/Degree"}},
      {matrix + "set Law = rubber\nend\n", {"line 3", "Matrix/Law", "neo-Hooke"}},
      {drive + "set Matrix borders = x start\nend\n",

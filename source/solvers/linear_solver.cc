@@ -24,9 +24,9 @@ namespace fiberloom
     constexpr double       shift_growth   = 8;
     constexpr unsigned int largest_shifts = 12;
 
-    // Corrections that leave more than this part of the residual are those of
-    // another matrix: Krylov's method needs fewer.
-    constexpr double largest_contraction = .01;
+    // Where corrections leave more than this part of the residual, Krylov's
+    // method needs fewer.
+    constexpr double largest_contraction = .25;
 
     // What low-rank blocks may leave out, over the least damping, so that they
     // hardly make a pivot negative.
@@ -110,14 +110,10 @@ namespace fiberloom
       , outcome(outcome)
     {}
 
-    /** Whether the true residual has become small. */
+    /** Whether the true residual has become small: by corrections with @p
+     * preconditioner alone as long as these do, then by Krylov's method. */
     bool
     iterate(Epetra_Operator &preconditioner, const unsigned int cycles);
-
-    /** The same around what is exact but for rounding, which is tried by itself
-     * first. */
-    bool
-    correct(Epetra_Operator &preconditioner);
 
     /** Of the solution. */
     bool
@@ -161,20 +157,12 @@ namespace fiberloom
                               const unsigned int cycles)
   {
     x.PutScalar(0);
-    return go_on(preconditioner, cycles);
-  }
-
-
-
-  bool
-  LinearSolver::Task::correct(Epetra_Operator &preconditioner)
-  {
-    x.PutScalar(0);
     {
       ScopedTimer   timer(outcome.krylov);
       const double  norm = norm_of(b);
       Epetra_Vector residual(b), product(b.Map()), correction(b.Map());
-      // Around a factor of the same matrix one correction is mostly enough.
+      // Around a factor of the same matrix one correction is mostly enough,
+      // around one of the motions of its sections two.
       for (double before = norm, after = 0; before > 0; before = after)
         {
           preconditioner.ApplyInverse(residual, correction);
@@ -191,7 +179,7 @@ namespace fiberloom
             break;
         }
     }
-    return go_on(preconditioner, largest_cycles);
+    return go_on(preconditioner, cycles);
   }
 
 
@@ -302,18 +290,15 @@ namespace fiberloom
 
 
 
-  bool
-  LinearSolver::solve_again(const Equations     &equations,
+  void
+  LinearSolver::apply_again(const Equations     &equations,
                             std::vector<double> &solution,
                             Outcome             &outcome)
   {
-    Task task(equations, solution, outcome);
-    if (multigrid)
-      return task.correct(multigrid->preconditioner());
-    if (sections)
-      return task.iterate(*sections, largest_section_cycles);
-    FactorPreconditioner preconditioner(*factor, task.matrix);
-    return task.correct(preconditioner);
+    Task        task(equations, solution, outcome);
+    ScopedTimer timer(outcome.krylov);
+    ++outcome.iterations;
+    last->ApplyInverse(task.b, task.x);
   }
 
 
@@ -324,7 +309,9 @@ namespace fiberloom
                               Outcome             &outcome)
   {
     equations.matrix.use_outer_products(true);
-    const bool found = solve_again(equations, solution, outcome);
+    Task       task(equations, solution, outcome);
+    const bool found =
+      task.iterate(*last, sections ? largest_section_cycles : largest_cycles);
     equations.matrix.use_outer_products(false);
     return found;
   }
@@ -350,6 +337,10 @@ namespace fiberloom
       return sections ? sections->factorize(matrix, dropped) :
                         factor->factorize(matrix);
     });
+    if (sections)
+      last = sections.get();
+    else
+      use_factor_of(matrix);
   }
 
 
@@ -381,7 +372,8 @@ namespace fiberloom
         if (negative_pivots < 0 ||
             (negative_pivots > 0 && indefinite == Indefinite::shifted))
           continue;
-        if (!task.iterate(*sections, largest_section_cycles))
+        last = sections.get();
+        if (!task.iterate(*last, largest_section_cycles))
           {
             // Nearly singular: more damping helps a damped step, and is far
             // cheaper than a factor of the whole.
@@ -427,8 +419,17 @@ namespace fiberloom
           return false;
         shift_more(task.matrix, attempt, diagonal.shift_unit, outcome);
       }
-    FactorPreconditioner preconditioner(*factor, task.matrix);
-    return task.correct(preconditioner) || !in_single;
+    use_factor_of(task.matrix);
+    return task.iterate(*last, largest_cycles) || !in_single;
+  }
+
+
+
+  void
+  LinearSolver::use_factor_of(const BlockMatrix &matrix)
+  {
+    by_factor = std::make_unique<FactorPreconditioner>(*factor, matrix);
+    last      = by_factor.get();
   }
 
 
@@ -456,7 +457,8 @@ namespace fiberloom
           ScopedTimer timer(outcome.analysis);
           multigrid->build(task.matrix);
         }
-        if (!task.correct(multigrid->preconditioner()))
+        last = &multigrid->preconditioner();
+        if (!task.iterate(*last, largest_cycles))
           return false;
         if (task.descends() || diagonal.indefinite != Indefinite::shifted)
           return true;
@@ -476,9 +478,10 @@ namespace fiberloom
     }
     outcome.negative_pivots =
       timed(outcome, [&]() { return blocks->factorize(task.matrix); });
+    last = blocks.get();
     // Both blocks may be definite where the whole is not.
-    return outcome.negative_pivots == 0 && task.correct(*blocks) &&
-           task.descends();
+    return outcome.negative_pivots == 0 &&
+           task.iterate(*last, largest_cycles) && task.descends();
   }
 
 

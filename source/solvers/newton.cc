@@ -627,10 +627,7 @@ namespace fiberloom
         LinearSolver::Outcome outcome;
         {
           ScopedTimer timer(statistics.seconds.linear_solver);
-          if (!solver().solve_again({system.matrix(), defect, forcing()},
-                                    solution,
-                                    outcome))
-            break;
+          solver().apply_again({system.matrix(), defect}, solution, outcome);
         }
         add(statistics, outcome);
         Step correction;

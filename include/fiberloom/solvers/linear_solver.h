@@ -93,19 +93,20 @@ namespace fiberloom
           const Diagonal        &diagonal,
           std::vector<double>   &solution);
 
-    /** Around the factor of the last system. False where that does not
-     * converge. */
-    bool
-    solve_again(const Equations     &equations,
+    /** By one application of what preconditioned the last system, of the
+     * same matrix, whatever that leaves. */
+    void
+    apply_again(const Equations     &equations,
                 std::vector<double> &solution,
                 Outcome             &outcome);
 
     /** A factor of @p matrix without its outer products, definite or not,
-     * around which systems are solved again. */
+     * around which coupled systems are solved. */
     void
     factorize(BlockMatrix &matrix, const Eigen::VectorXd &q, Outcome &outcome);
 
-    /** As solve_again(), with the outer products of the matrix. */
+    /** Around the factor of the last system, with the outer products of the
+     * matrix. False where that does not converge. */
     bool
     solve_coupled(const Equations     &equations,
                   std::vector<double> &solution,
@@ -127,6 +128,10 @@ namespace fiberloom
 
     void
     use(const DirectFactor::Precision chosen);
+
+    /** As what preconditions. */
+    void
+    use_factor_of(const BlockMatrix &matrix);
 
     /** Equations with their solution and what it takes. */
     struct Task;
@@ -153,10 +158,12 @@ namespace fiberloom
     bool                                   gave_way       = false;
     bool                                   was_indefinite = false;
     DirectFactor::Precision                precision;
-    std::unique_ptr<DirectFactor>          factor;    // or null
-    std::unique_ptr<SectionPreconditioner> sections;  // or null
-    std::unique_ptr<BlockPreconditioner>   blocks;    // or null
-    std::unique_ptr<Multigrid>             multigrid; // or null
+    std::unique_ptr<DirectFactor>          factor;         // or null
+    std::unique_ptr<Preconditioner>        by_factor;      // or null
+    std::unique_ptr<SectionPreconditioner> sections;       // or null
+    std::unique_ptr<BlockPreconditioner>   blocks;         // or null
+    std::unique_ptr<Multigrid>             multigrid;      // or null
+    Epetra_Operator                       *last = nullptr; // that was applied
   };
 
   void
