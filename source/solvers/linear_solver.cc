@@ -290,15 +290,14 @@ namespace fiberloom
 
 
 
-  void
-  LinearSolver::apply_again(const Equations     &equations,
+  bool
+  LinearSolver::solve_again(const Equations     &equations,
                             std::vector<double> &solution,
                             Outcome             &outcome)
   {
-    Task        task(equations, solution, outcome);
-    ScopedTimer timer(outcome.krylov);
-    ++outcome.iterations;
-    last->ApplyInverse(task.b, task.x);
+    Task task(equations, solution, outcome);
+    return task.iterate(*last,
+                        sections ? largest_section_cycles : largest_cycles);
   }
 
 
@@ -309,9 +308,7 @@ namespace fiberloom
                               Outcome             &outcome)
   {
     equations.matrix.use_outer_products(true);
-    Task       task(equations, solution, outcome);
-    const bool found =
-      task.iterate(*last, sections ? largest_section_cycles : largest_cycles);
+    const bool found = solve_again(equations, solution, outcome);
     equations.matrix.use_outer_products(false);
     return found;
   }

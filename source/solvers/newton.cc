@@ -627,7 +627,10 @@ namespace fiberloom
         LinearSolver::Outcome outcome;
         {
           ScopedTimer timer(statistics.seconds.linear_solver);
-          solver().apply_again({system.matrix(), defect}, solution, outcome);
+          if (!solver().solve_again({system.matrix(), defect, forcing()},
+                                    solution,
+                                    outcome))
+            break;
         }
         add(statistics, outcome);
         Step correction;

@@ -93,10 +93,10 @@ namespace fiberloom
           const Diagonal        &diagonal,
           std::vector<double>   &solution);
 
-    /** By one application of what preconditioned the last system, of the
-     * same matrix, whatever that leaves. */
-    void
-    apply_again(const Equations     &equations,
+    /** Around what preconditioned the last system, of the same matrix. False
+     * where that does not converge. */
+    bool
+    solve_again(const Equations     &equations,
                 std::vector<double> &solution,
                 Outcome             &outcome);
 
@@ -105,8 +105,7 @@ namespace fiberloom
     void
     factorize(BlockMatrix &matrix, const Eigen::VectorXd &q, Outcome &outcome);
 
-    /** Around the factor of the last system, with the outer products of the
-     * matrix. False where that does not converge. */
+    /** As solve_again(), with the outer products of the matrix. */
     bool
     solve_coupled(const Equations     &equations,
                   std::vector<double> &solution,
