@@ -9,9 +9,6 @@ namespace fiberloom
 {
   namespace
   {
-    // Of what is larger, powers are no numbers [mm].
-    constexpr double largest_length = 1e6;
-
     void
     declare_turning(ParameterCatalogue &catalogue,
                     double             &largest_angle,
@@ -48,22 +45,22 @@ namespace fiberloom
                     "Of a layer beyond the outermost skin of the fibers, where "
                     "its outer face lies flat [mm]; more than the overlap. 0: "
                     "six times the largest fiber radius.",
-                    Allowed::from_to(0, largest_length));
+                    Allowed::from_to(0, farthest));
       catalogue.add("Overlap",
                     matrix.overlap,
                     "How deep the inner face lies below the woven surface "
                     "[mm], of two layers at most 0.45 of the fabric's "
                     "thickness there. 0: the largest fiber radius.",
-                    Allowed::from_to(0, largest_length));
+                    Allowed::from_to(0, farthest));
       catalogue.add("Size along x",
                     matrix.size_x,
                     "Length of the layers [mm], about the middle of the "
                     "fibers; 0: as long as these.",
-                    Allowed::from_to(0, largest_length));
+                    Allowed::from_to(0, farthest));
       catalogue.add("Size along y",
                     matrix.size_y,
                     "Width of the layers [mm]; 0: as wide as the fibers.",
-                    Allowed::from_to(0, largest_length));
+                    Allowed::from_to(0, farthest));
       catalogue.add("Cells along x",
                     matrix.cells_along_x,
                     "Number of cells. 0: two a tow that is crossed, or 8 where "

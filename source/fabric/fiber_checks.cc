@@ -16,8 +16,7 @@ namespace fiberloom
   namespace
   {
     // What lies beyond is no fiber, and its powers no numbers [mm], [MPa].
-    constexpr double farthest = 1e6, thinnest = 1e-9, softest = 1e-12,
-                     stiffest = 1e15;
+    constexpr double thinnest = 1e-9, softest = 1e-12, stiffest = 1e15;
 
     template <class Nodes>
     void

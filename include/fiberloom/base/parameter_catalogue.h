@@ -16,6 +16,9 @@
 
 namespace fiberloom
 {
+  /** Of points and lengths [mm]: powers of what is beyond are no numbers. */
+  constexpr double farthest = 1e6;
+
   /** The values an entry may have: for the parser, and in words for the user.
    */
   struct Allowed
