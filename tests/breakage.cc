@@ -107,12 +107,12 @@ namespace
     Parameters parameters;
     parameters.stages                       = {"load"};
     FibersParameters &fibers                = parameters.fibers;
-    fibers.arrangement                      = "bundle";
+    fibers.arrangement                      = Arrangement::bundle;
     fibers.bundle                           = {n_fibers, L, 4};
     fibers.radius                           = {radius};
     fibers.young_modulus                    = {E};
     fibers.poisson_ratio                    = {0};
-    fibers.axial_law                        = "linear";
+    fibers.axial_law                        = AxialLaw::linear;
     fibers.elements_per_fiber               = 2;
     fibers.strength.strength                = s0;
     fibers.strength.weibull_modulus         = m;

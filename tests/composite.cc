@@ -29,7 +29,7 @@ namespace
   filled_matrix()
   {
     MatrixParameters matrix;
-    matrix.layers           = "filled";
+    matrix.layers           = Layers::filled;
     matrix.thickness        = 1;
     matrix.cells_along_x    = 3;
     matrix.cells_along_y    = 2;
@@ -59,7 +59,7 @@ namespace
     {
       state.matrix.layers = build_layers(parameters, mesh, mesh.reference());
       state.matrix.degree = parameters.degree;
-      state.matrix.law    = parameters.law;
+      state.matrix.law    = name_of(parameters.law);
       state.matrix.young_modulus = parameters.young_modulus;
       state.matrix.poisson_ratio = parameters.poisson_ratio;
       const Composite bare(state.matrix, mesh);

@@ -26,12 +26,12 @@ namespace
   Eigen::VectorXd
   solve(System                &system,
         const Eigen::VectorXd &q,
-        const std::string     &name,
+        const Preconditioning  wanted,
         const double           shift_unit,
         Outcome               &outcome)
   {
     std::vector<double> solution;
-    LinearSolver        solver(system, name);
+    LinearSolver        solver(system, wanted);
     outcome = solver.solve({system.matrix(), system.right_hand_side()},
                            q,
                            {0, shift_unit},
@@ -63,16 +63,28 @@ namespace
         system.reinit(model.contacts);
         system.assemble(model.state, model.targets, model.contacts);
         Outcome               with_double, with_single, with_multigrid;
-        const double          unit = 1e-3;
-        const Eigen::VectorXd exact =
-          solve(system, model.state.q, "double factor", unit, with_double);
-        const Eigen::VectorXd found =
-          solve(system, model.state.q, "single factor", unit, with_single);
-        const Eigen::VectorXd coarsened =
-          solve(system, model.state.q, "multigrid", unit, with_multigrid);
+        const double          unit      = 1e-3;
+        const Eigen::VectorXd exact     = solve(system,
+                                            model.state.q,
+                                            Preconditioning::double_factor,
+                                            unit,
+                                            with_double);
+        const Eigen::VectorXd found     = solve(system,
+                                            model.state.q,
+                                            Preconditioning::single_factor,
+                                            unit,
+                                            with_single);
+        const Eigen::VectorXd coarsened = solve(system,
+                                                model.state.q,
+                                                Preconditioning::multigrid,
+                                                unit,
+                                                with_multigrid);
         Outcome               with_sections;
-        const Eigen::VectorXd split =
-          solve(system, model.state.q, "rigid sections", unit, with_sections);
+        const Eigen::VectorXd split = solve(system,
+                                            model.state.q,
+                                            Preconditioning::rigid_sections,
+                                            unit,
+                                            with_sections);
         checks.below("remainder, rigid sections",
                      remainder(system, split),
                      1e-8);
@@ -108,7 +120,7 @@ namespace
   /** Springs so stiff that only a factor in double precision knows of the
    * fibers beside them. */
   void
-  check_fallback(const std::string &name, Checks &checks)
+  check_fallback(const Preconditioning wanted, Checks &checks)
   {
     SampleModel model(4);
     model.supports.bodies[1].prescribed.set();
@@ -121,7 +133,7 @@ namespace
     system.assemble(model.state, model.targets, model.contacts);
 
     std::vector<double> solution;
-    LinearSolver        solver(system, name);
+    LinearSolver        solver(system, wanted);
     bool                first = true;
     for (const std::string time :
          {"the first time", "the second time", "after forgetting"})
@@ -136,7 +148,7 @@ namespace
                        model.state.q,
                        {0, 1e-9},
                        solution);
-        const std::string which = ", " + name + ", " + time;
+        const std::string which = ", " + name_of(wanted) + ", " + time;
         checks.that("gave way" + which + ": " + (first ? "yes" : "no"),
                     (outcome.factorizations > 1) == first);
         checks.equal("shift" + which, outcome.shift, 0);
@@ -159,7 +171,7 @@ namespace
     model.add_contacts(.02, .001);
     system.reinit(model.contacts);
     system.assemble(model.state, model.targets, model.contacts);
-    LinearSolver        solver(system, "rigid sections");
+    LinearSolver        solver(system, Preconditioning::rigid_sections);
     std::vector<double> solution;
     for (const double damping : {0., 0., 1e-3})
       {
@@ -219,7 +231,7 @@ namespace
     system.reinit(model.contacts);
     const unsigned int pattern = system.matrix().pattern_version();
 
-    LinearSolver        solver(system, "double factor");
+    LinearSolver        solver(system, Preconditioning::double_factor);
     std::vector<double> solution;
     for (const unsigned int closed : {0, 1, 2, 0, 2})
       {
@@ -277,13 +289,14 @@ namespace
         std::vector<ContactElement> none;
         system.assemble(state, targets, none);
         const Eigen::VectorXd down = system.gather(system.right_hand_side());
-        for (const std::string solver : {"double factor", "rigid sections"})
+        for (const Preconditioning wanted :
+             {Preconditioning::double_factor, Preconditioning::rigid_sections})
           {
             system.assemble(state, targets, none); // without earlier shifts
             Outcome               outcome;
             const Eigen::VectorXd step =
-              solve(system, state.q, solver, 1e-7, outcome);
-            const std::string name = solver + ", compressed to " +
+              solve(system, state.q, wanted, 1e-7, outcome);
+            const std::string name = name_of(wanted) + ", compressed to " +
                                      std::to_string(part) +
                                      " times Euler's load";
             checks.that(name + ", shifted: " + (part > 1 ? "yes" : "no"),
@@ -311,7 +324,7 @@ namespace
     system.reinit(model.contacts);
     system.assemble(model.state, model.targets, model.contacts);
     const std::vector<double> gradient = system.right_hand_side();
-    LinearSolver              solver(system, "double factor");
+    LinearSolver              solver(system, Preconditioning::double_factor);
     std::vector<double>       step;
     const auto                solve_again = [&]() {
       solver.solve({system.matrix(), gradient}, model.state.q, {0, 1e-3}, step);
@@ -359,8 +372,8 @@ main(int argc, char **argv)
     output.open("output");
   Checks checks(output);
   check_precision(checks);
-  check_fallback("single factor", checks);
-  check_fallback("rigid sections", checks);
+  check_fallback(Preconditioning::single_factor, checks);
+  check_fallback(Preconditioning::rigid_sections, checks);
   check_damped_after_undamped(checks);
   check_pattern(checks);
   check_closing(checks);

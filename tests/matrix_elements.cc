@@ -24,7 +24,7 @@ namespace
   HyperelasticLaw
   law(const std::string &name)
   {
-    return {HyperelasticLaw::type(name), 3., .3};
+    return {choice_of<MatrixLaw>(name), 3., .3};
   }
 
   void

@@ -37,7 +37,7 @@ namespace
   }
 
   MatrixParameters
-  parameters(const std::string &layers)
+  parameters(const Layers layers)
   {
     MatrixParameters matrix;
     matrix.layers                  = layers;
@@ -49,13 +49,13 @@ namespace
     return matrix;
   }
 
-  const HyperelasticLaw law(HyperelasticLaw::Type::neo_hooke, 1., .3);
+  const HyperelasticLaw law(MatrixLaw::neo_hooke, 1., .3);
 
   void
   check_faces(Checks &checks, const FiberMesh &fibers)
   {
     const LayerGeometry layers =
-      build_layers(parameters("both"), fibers, fibers.reference());
+      build_layers(parameters(Layers::both), fibers, fibers.reference());
     checks.equal("layers", layers.blocks.size(), 2);
     const LayerBlock &lower = layers.blocks[0], &upper = layers.blocks[1];
     double            flat = 0, mirrored = 0, high = -10, low = 10;
@@ -81,7 +81,9 @@ namespace
     checks.below("lower side mirrored", mirrored, 2e-2);
 
     const MatrixMesh mesh(layers, 2, law);
-    checks.equal("nodes", mesh.n_nodes(), n_layer_nodes(parameters("both")));
+    checks.equal("nodes",
+                 mesh.n_nodes(),
+                 n_layer_nodes(parameters(Layers::both)));
     checks.equal("cells", mesh.n_cells(), 96);
     checks.equal("nodes on x start",
                  mesh.border_nodes(*MatrixBorder::find("x start")).size(),
@@ -89,8 +91,11 @@ namespace
     checks.equal("nodes on top",
                  mesh.border_nodes(*MatrixBorder::find("top")).size(),
                  125);
-    const MatrixMesh upper_mesh(
-      build_layers(parameters("upper"), fibers, fibers.reference()), 1, law);
+    const MatrixMesh upper_mesh(build_layers(parameters(Layers::upper),
+                                             fibers,
+                                             fibers.reference()),
+                                1,
+                                law);
     checks.equal("nodes on the bottom of an upper layer",
                  upper_mesh.border_nodes(*MatrixBorder::find("bottom")).size(),
                  0);
@@ -112,7 +117,7 @@ namespace
                                       4));
     const FiberSet   set = loose_fibers(fibers);
     const FiberMesh  mesh(set);
-    MatrixParameters matrix = parameters("both");
+    MatrixParameters matrix = parameters(Layers::both);
     matrix.overlap          = 1;
     matrix.cells_along_y    = 4;
     const auto   layers     = build_layers(matrix, mesh, mesh.reference());
@@ -126,10 +131,13 @@ namespace
   void
   check_location(Checks &checks, const FiberMesh &fibers)
   {
-    const MatrixMesh mesh(
-      build_layers(parameters("both"), fibers, fibers.reference()), 2, law);
-    double       error   = 0;
-    unsigned int n_found = 0;
+    const MatrixMesh mesh(build_layers(parameters(Layers::both),
+                                       fibers,
+                                       fibers.reference()),
+                          2,
+                          law);
+    double           error   = 0;
+    unsigned int     n_found = 0;
     for (int i = -9; i <= 9; ++i)
       {
         const Vector3 point(3.1 * i, .4 * i, 3 + .1 * i);
@@ -154,7 +162,8 @@ namespace
   check_subdivision(Checks &checks, const FiberMesh &fibers)
   {
     const LayerBlock block =
-      build_layers(parameters("upper"), fibers, fibers.reference()).blocks[0];
+      build_layers(parameters(Layers::upper), fibers, fibers.reference())
+        .blocks[0];
     const LayerBlock fine = subdivided(block, 3);
     checks.equal("cells in place of one",
                  double(fine.n_cells[0] * fine.n_cells[1] * fine.n_cells[2]) /
@@ -194,7 +203,8 @@ namespace
   check_repair(Checks &checks, const FiberMesh &fibers)
   {
     LayerBlock block =
-      build_layers(parameters("upper"), fibers, fibers.reference()).blocks[0];
+      build_layers(parameters(Layers::upper), fibers, fibers.reference())
+        .blocks[0];
     checks.above("worst corner", worst_corner(block), .2);
     const LayerBlock good = block;
     checks.that("good cells stay as they are",
@@ -226,10 +236,10 @@ namespace
         }
       return false;
     };
-    MatrixParameters deep = parameters("both");
+    MatrixParameters deep = parameters(Layers::both);
     deep.overlap          = 2;
     checks.that("layers that meet are refused", refused(deep, "meet"));
-    MatrixParameters flat = parameters("upper");
+    MatrixParameters flat = parameters(Layers::upper);
     flat.thickness        = -2;
     checks.that("cells that stay bad are refused", refused(flat, "rough"));
   }

@@ -89,7 +89,7 @@ main()
             .01)
         << "\n";
 
-  for (const auto &plane : slice_planes(fibers, mesh, q, "both"))
+  for (const auto &plane : slice_planes(fibers, mesh, q, Slices::both))
     out << plane.name << ", " << plane.title << ", " << plane.along.transpose()
         << "\n";
 

@@ -10,6 +10,8 @@
 
 #include <fiberloom/fabric/fabric_parameters.h>
 
+#include <fiberloom/stages/biaxial.h>
+
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -101,7 +103,8 @@ check_digits(std::ostream &output)
          << std::endl
          << "warp to fill: " << parameters.fabric.fill.tows << ' '
          << parameters.fabric.fill.tow_spacing << std::endl
-         << "overrides: " << parameters.biaxial.strain_ratio << ' '
+         << "overrides: "
+         << parameters.stage_settings.get<BiaxialSettings>().strain_ratio << ' '
          << parameters.output_directory << std::endl
          << "stages: " << parameters.stages.size() << std::endl;
   output << exact_text(.1) << ' ' << exact_text(73000) << ' '

@@ -55,7 +55,7 @@ namespace
                   static_cast<unsigned int>(system.layout().n_owned_dofs())};
 
     std::vector<double> solution;
-    LinearSolver(system, "double factor")
+    LinearSolver(system, Preconditioning::double_factor)
       .solve({system.matrix(), system.right_hand_side()},
              model.state.q,
              {0, 1e-3 * system.stiffness_scale()},

@@ -16,14 +16,13 @@ namespace fiberloom
                   most_elements = TowParameters::most_elements;
 
     void
-    declare_axial_law(ParameterCatalogue &catalogue, std::string &axial_law)
+    declare_axial_law(ParameterCatalogue &catalogue, AxialLaw &axial_law)
     {
       catalogue.add("Axial law",
                     axial_law,
                     "Of the axial force: that of the solid's law, which grows "
                     "by 1.5 % more than the stretch at a strain of 1 %, or "
-                    "linear in the stretch, as in theories of rods.",
-                    Allowed::one_of("Saint Venant-Kirchhoff|linear"));
+                    "linear in the stretch, as in theories of rods.");
     }
 
     void
@@ -274,21 +273,18 @@ namespace fiberloom
                   fibers.arrangement,
                   "Fibers arranged along the axis x, their middle in the "
                   "origin: a straight hexagonal bundle, or a strand of a "
-                  "core and helices around it that touch it.",
-                  Allowed::one_of("none|bundle|strand"));
+                  "core and helices around it that touch it.");
     declare_arrangements(catalogue, fibers);
     catalogue.add("Interpolation",
                   fibers.interpolation,
                   "What joins points of polylines and of files: straight "
                   "lines or a smooth curve. automatic: straight for "
-                  "polylines, smooth for files.",
-                  Allowed::one_of("automatic|straight|smooth"));
+                  "polylines, smooth for files.");
     catalogue.add("Stress free",
                   fibers.stress_free,
                   "Shape without stress: as given, or straight; then a "
                   "fiber that is given curved starts with the stresses of "
-                  "its bending.",
-                  Allowed::one_of("as given|straight"));
+                  "its bending.");
     const std::string groups =
       " One number for all, or one for each polyline or curve, or those of "
       "the core and of the outer fibers of a strand; values in a file of "

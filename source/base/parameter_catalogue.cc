@@ -137,10 +137,10 @@ namespace fiberloom
   }
 
   Allowed
-  Allowed::one_of(const std::string &names)
+  Allowed::one_of(const std::vector<std::string> &names)
   {
-    return {std::make_shared<dealii::Patterns::Selection>(names),
-            join(dealii::Utilities::split_string_list(names, '|'), ", ")};
+    return {std::make_shared<dealii::Patterns::Selection>(join(names, "|")),
+            join(names, ", ")};
   }
 
   Allowed

@@ -103,7 +103,7 @@ namespace fiberloom
         {
           const MatrixParameters &matrix = parameters.matrix;
           const double            degree = matrix.degree;
-          check_number_of_nodes((matrix.layers == "both" ? 2 : 1) *
+          check_number_of_nodes((matrix.layers == Layers::both ? 2 : 1) *
                                   (degree * matrix.cells_along_x + 1) *
                                   (degree * matrix.cells_along_y + 1) *
                                   (degree * matrix.cells_through_thickness + 1),
@@ -258,15 +258,13 @@ namespace fiberloom
     {
       const MatrixParameters &matrix = parameters.matrix;
       if (matrix.thickness <= matrix.overlap && parameters.has_matrix() &&
-          matrix.layers != "filled")
+          matrix.layers != Layers::filled)
         throw InputError(parameters.where("Matrix/Thickness") + " = " +
                          exact_text(matrix.thickness) +
                          ": a layer is not thicker than the overlap, " +
                          exact_text(matrix.overlap) +
                          "; allowed: more than Matrix/Overlap");
-      const bool coats =
-        std::count(parameters.stages.begin(), parameters.stages.end(), "coat") >
-        0;
+      const bool coats = parameters.has_stage("coat");
       if (coats && !parameters.has_matrix())
         throw InputError(parameters.where("Stages") +
                          ": coat has nothing to do, as Matrix/Layers is none; "
@@ -357,23 +355,25 @@ namespace fiberloom
       bool is_sheared = false;
       for (const std::string &stage : parameters.stages)
         {
-          is_sheared = is_sheared ||
-                       (stage == "shear" && parameters.shear.way.back() != 0);
+          const StageType     &type     = stage_type(stage);
+          const StageSettings *settings = parameters.stage_settings.find(stage);
+          is_sheared =
+            is_sheared || (settings && !settings->keeps_right_angles());
           if (fabric.periodic && is_sheared && stage == "coat")
             throw InputError(parameters.where("Stages") +
                              ": coat needs a cell whose periods are at right "
                              "angles; allowed: coat before shear");
-          const bool of_cell = stage == "compact" || stage == "stiffness";
-          const bool of_ends = stage == "bend" || stage == "load";
-          if (of_cell && !fabric.periodic)
+          if (type.needs_cell() && !fabric.periodic)
             throw InputError(parameters.where("Stages") + ": " + stage +
                              " needs a periodic cell; allowed: with "
                              "Fabric/Periodic = true");
-          if (of_ends && fabric.periodic)
+          if (type.needs_ends() && fabric.periodic)
             throw InputError(parameters.where("Stages") + ": " + stage +
                              " needs tow ends, which a periodic cell has not; "
-                             "allowed: weave, relax, coat, biaxial, shear, "
-                             "compact, stiffness");
+                             "allowed: " +
+                             stage_names([](const StageType &other) {
+                               return !other.needs_ends();
+                             }));
         }
       for (const auto &[entry, size] :
            {std::pair{"Matrix/Size along x", parameters.matrix.size_x},
@@ -450,74 +450,6 @@ namespace fiberloom
                          ": strengths that differ need Strength and Reference "
                          "length; allowed: both above 0, or 0 here");
     }
-
-    void
-    check_compact(const Parameters &parameters)
-    {
-      const CompactParameters &compact = parameters.compact;
-      if (std::count(parameters.stages.begin(),
-                     parameters.stages.end(),
-                     "compact") == 0)
-        return;
-      if ((compact.thickness > 0) + (compact.volume_fraction > 0) +
-            (compact.pressure > 0) !=
-          1)
-        throw InputError(parameters.where("Compact/Thickness") +
-                         ", Fiber volume fraction and Pressure: one of them "
-                         "says how far the plates go; allowed: one above 0");
-      constexpr double packed = .9068996821171089; // pi / sqrt(12)
-      const double     volume =
-        parameters.fabric.volume_over_area() * parameters.fabric.plies;
-      if (compact.thickness > 0 && compact.thickness <= volume / packed)
-        throw InputError(parameters.where("Compact/Thickness") + " = " +
-                         exact_text(compact.thickness) +
-                         ": round fibers cannot be packed to that; allowed: "
-                         "above " +
-                         exact_text(volume / packed));
-      if (compact.volume_fraction >= packed)
-        throw InputError(parameters.where("Compact/Fiber volume fraction") +
-                         " = " + exact_text(compact.volume_fraction) +
-                         ": more than round fibers can be packed to; allowed: "
-                         "below " +
-                         exact_text(packed));
-    }
-
-    /** Legs that lead somewhere. */
-    void
-    check_way(const std::vector<double> &way, const std::string &where)
-    {
-      constexpr double shortest = 1e-3;
-      double           from     = 0;
-      for (unsigned int i = 0; i < way.size(); ++i)
-        {
-          if (std::abs(way[i] - from) < shortest && !(i == 0 && way.size() > 1))
-            throw InputError(where + " = " + exact_text(way) + ": from " +
-                             exact_text(from) + " to " + exact_text(way[i]) +
-                             " it is no way; allowed: points at least " +
-                             exact_text(shortest) +
-                             " apart, the first of them from 0");
-          from = way[i];
-        }
-    }
-
-    void
-    check_ways(const Parameters &parameters)
-    {
-      const BiaxialParameters &biaxial = parameters.biaxial;
-      check_way(biaxial.way, parameters.where("Biaxial/Way"));
-      check_way(parameters.shear.way, parameters.where("Shear/Way"));
-      check_way(parameters.bend.way, parameters.where("Bending/Way"));
-      check_way(parameters.compact.way, parameters.where("Compact/Way"));
-      for (const double part : biaxial.way)
-        for (const double ratio : {1., biaxial.strain_ratio})
-          if (const double strain = part * ratio * biaxial.largest_strain;
-              strain <= -1)
-            throw InputError(parameters.where("Biaxial/Way") + " = " +
-                             exact_text(biaxial.way) + ": a strain would be " +
-                             exact_text(strain) +
-                             ", and nothing is left of the sample; allowed: "
-                             "above -1");
-    }
   } // namespace
 
   void
@@ -544,9 +476,8 @@ namespace fiberloom
                       std::filesystem::path(source).parent_path() / fibers.file)
                       .lexically_normal();
     resolve_matrix();
-    biaxial.first_step = std::min(biaxial.first_step, biaxial.largest_step);
-    compact.first_step = std::min(compact.first_step, compact.largest_step);
-    load.first_step    = std::min(load.first_step, load.largest_step);
+    stage_settings.resolve();
+    load.first_step = std::min(load.first_step, load.largest_step);
   }
 
   void
@@ -567,8 +498,8 @@ namespace fiberloom
     contact.stations_per_element = 1;
     weaving.step                 = std::max(weaving.step, preview_step);
     // Loose fibers have no use for a factor of the whole.
-    if (solver.linear_solver == "automatic")
-      solver.linear_solver = "rigid sections";
+    if (solver.linear_solver == Preconditioning::automatic)
+      solver.linear_solver = Preconditioning::rigid_sections;
     output.exports.clear();
   }
 
@@ -604,21 +535,21 @@ namespace fiberloom
                        " is empty; allowed: a directory");
     if (stages.empty())
       throw InputError(where("Stages") +
-                       " is empty; allowed: weave, relax, coat, biaxial, "
-                       "shear, bend, compact, stiffness, load");
+                       " is empty; allowed: " + stage_names());
     if (const auto sources = fibers.sources(); sources.size() > 1)
       throw InputError(where("Fibers/" + sources[1]) + ": Fibers/" +
                        sources[0] + " is given, too; allowed: one of them");
     for (const std::string &stage : stages)
       {
         // Whether a file has a fabric shows when it is read.
-        if (!is_fabric() && fibers.file.empty() && stage != "load" &&
-            stage != "coat")
-          throw InputError(where("Stages") + ": " + stage +
-                           " needs a fabric, but Fibers/" +
-                           fibers.sources().front() +
-                           " is given; "
-                           "allowed: coat, load");
+        if (!is_fabric() && fibers.file.empty() &&
+            stage_type(stage).needs_fabric())
+          throw InputError(
+            where("Stages") + ": " + stage + " needs a fabric, but Fibers/" +
+            fibers.sources().front() +
+            " is given; allowed: " + stage_names([](const StageType &type) {
+              return !type.needs_fabric();
+            }));
         if (stage == "load" && drives.empty())
           throw InputError(where("Stages") +
                            ": load needs drives; name them in Drives");
@@ -628,8 +559,7 @@ namespace fiberloom
     check_distributed_loads(*this);
     check_cell(*this);
     check_plies(*this);
-    check_compact(*this);
-    check_ways(*this);
+    stage_settings.check(*this);
     check_strength(fabric.warp.strength, "Fabric/Warp/", *this);
     check_strength(fabric.fill.strength, "Fabric/Fill/", *this);
     check_strength(fibers.strength, "Fibers/", *this);

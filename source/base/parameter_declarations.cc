@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/accuracy.h>
-#include <fiberloom/base/composite_declarations.h>
 #include <fiberloom/base/fabric_declarations.h>
+#include <fiberloom/base/matrix_declarations.h>
 #include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
@@ -35,8 +35,7 @@ namespace fiberloom
                     "How it holds them: clamped holds the axis' end and the "
                     "directions of the section; pinned the axis' end and the "
                     "rotation of the section about the axis; centers only the "
-                    "axis' end.",
-                    Allowed::one_of("clamped|pinned|centers"));
+                    "axis' end.");
       catalogue.add(
         "Held",
         drive.held,
@@ -143,8 +142,7 @@ namespace fiberloom
       catalogue.add("Self contact",
                     contact.self_contact,
                     "Whether parts of one fiber can touch each other; "
-                    "automatic: unless the scene is a fabric.",
-                    Allowed::one_of("automatic|true|false"));
+                    "automatic: unless the scene is a fabric.");
       catalogue.leave_section();
     }
 
@@ -156,8 +154,7 @@ namespace fiberloom
                     weaving.path,
                     "automatic weaves in one increment, without friction until "
                     "the fabric is at rest, and falls back to nested, which "
-                    "takes every step to equilibrium with friction.",
-                    Allowed::one_of("automatic|nested"));
+                    "takes every step to equilibrium with friction.");
       catalogue.add("Step",
                     weaving.step,
                     "By how much the allowed overlap of crossing tows shrinks "
@@ -219,85 +216,6 @@ namespace fiberloom
     }
 
     void
-    declare_biaxial(ParameterCatalogue &catalogue, BiaxialParameters &biaxial)
-    {
-      catalogue.enter_section("Biaxial");
-      catalogue.add("Largest strain",
-                    biaxial.largest_strain,
-                    "Elongation of the sample in the leading direction at the "
-                    "end of the test, or where Way is 1, over its length.",
-                    Allowed::from_to(1e-9, 1));
-      catalogue.add("Strain ratio",
-                    biaxial.strain_ratio,
-                    "Strain of the other direction over that of the leading "
-                    "one; 0 holds the other direction.",
-                    Allowed::any_number());
-      catalogue.add("Leading direction",
-                    biaxial.leading_direction,
-                    "Direction that takes the largest strain.",
-                    Allowed::one_of("warp|fill"));
-      catalogue.add("Other direction",
-                    biaxial.other_direction,
-                    "Whether the other direction is strained by the ratio, or "
-                    "free: its tow ends move along their tows without force, "
-                    "in a periodic cell there is no mean stress along it.",
-                    Allowed::one_of("strained|free"));
-      catalogue.add("First step",
-                    biaxial.first_step,
-                    "First increment, and that of each leg of Way, over the "
-                    "largest strain; never more than the largest step.",
-                    Allowed::from_to(1e-6, 1));
-      catalogue.add("Largest step",
-                    biaxial.largest_step,
-                    "Largest increment, over the largest strain.",
-                    Allowed::from_to(1e-6, 1));
-      declare_way(catalogue, biaxial.way, "the largest strain", -1);
-      catalogue.leave_section();
-    }
-
-    void
-    declare_compact(ParameterCatalogue &catalogue, CompactParameters &compact)
-    {
-      catalogue.enter_section("Compact");
-      catalogue.add("Thickness",
-                    compact.thickness,
-                    "Distance of the plates at the end [mm]. One of this, "
-                    "Fiber volume fraction and Pressure has to be given.",
-                    Allowed::at_least(0));
-      catalogue.add("Fiber volume fraction",
-                    compact.volume_fraction,
-                    "Volume of the fibers over that between the plates at the "
-                    "end.",
-                    Allowed::from_to_below(0, 1));
-      catalogue.add("Pressure",
-                    compact.pressure,
-                    "Force on a plate over the area of the cell at the end "
-                    "[MPa].",
-                    Allowed::at_least(0));
-      catalogue.add(
-        "Return",
-        compact.return_way,
-        "Whether the plates go back to where they began, after Way.",
-        Allowed::true_or_false());
-      catalogue.add("Friction coefficient",
-                    compact.friction_coefficient,
-                    "Coulomb's coefficient between fibers and plates; 0: no "
-                    "friction, negative: that between fibers.",
-                    Allowed::at_least(-1));
-      catalogue.add("First step",
-                    compact.first_step,
-                    "First increment, and that of each leg of Way, over the "
-                    "whole approach; never more than the largest step.",
-                    Allowed::from_to(1e-6, 1));
-      catalogue.add("Largest step",
-                    compact.largest_step,
-                    "Largest increment, over the whole approach.",
-                    Allowed::from_to(1e-6, 1));
-      declare_way(catalogue, compact.way, "the whole approach", 0);
-      catalogue.leave_section();
-    }
-
-    void
     declare_solver(ParameterCatalogue &catalogue, SolverParameters &solver)
     {
       catalogue.enter_section("Solver");
@@ -308,8 +226,7 @@ namespace fiberloom
                     "its exact Hessian, and steps are judged by energy. "
                     "nested: the paper's three loops, on detection, on normals "
                     "with friction limits, and Newton's method on the rest; a "
-                    "reference for small scenes.",
-                    Allowed::one_of("newton|nested"));
+                    "reference for small scenes.");
       catalogue.add("Contact tolerance",
                     solver.contact_tolerance,
                     "Residual, after contacts and normals are found anew, at "
@@ -378,9 +295,7 @@ namespace fiberloom
         "precision (a quarter), blocks, in a composite a factor of the fibers "
         "and one of the matrix, or multigrid for what has no room for a "
         "factor. automatic: a double factor, from 20,000 dofs on a single "
-        "one, from 60,000 on rigid sections.",
-        Allowed::one_of(
-          "automatic|double factor|single factor|rigid sections|blocks|multigrid"));
+        "one, from 60,000 on rigid sections.");
       catalogue.add("Benchmark",
                     solver.benchmark,
                     "Times one symmetric factorisation in double precision per "
@@ -410,8 +325,7 @@ namespace fiberloom
         "Slices",
         output.slices,
         "Family of tows whose middle one the slices cut along, across "
-        "the tows of the other family.",
-        Allowed::one_of("warp|fill|both|none"));
+        "the tows of the other family.");
       catalogue.add("Slices every",
                     output.slices_every,
                     "Increments between slices; 0: only at the start and at "
@@ -454,9 +368,7 @@ namespace fiberloom
         "(.vti); abaqus, the same grid as a deck of finite elements (.inp); "
         "paths, the axes of the fibers (.csv), which Fibers/File reads; "
         "texgen, tows with their sections in TexGen's XML; fibers, the axes "
-        "with radius, tow and family (.vtp).",
-        Allowed::list_of(
-          Allowed::one_of("surface|voxels|abaqus|paths|texgen|fibers")));
+        "with radius, tow and family (.vtp).");
       catalogue.add("Voxel size",
                     output.voxel_size,
                     "Edge of the voxels of Export [mm]; surfaces are found in "
@@ -474,17 +386,17 @@ namespace fiberloom
                   output_directory,
                   "Where everything is written; created if absent.",
                   Allowed::text_like("a directory"));
-    catalogue.add(
-      "Stages",
-      stages,
-      "What is done, in this order: weave moves the tows apart, "
-      "relax lets the fabric come to rest, coat adds layers of matrix, biaxial "
-      "pulls in both directions, shear makes a frame of the borders and tilts "
-      "it, bend turns two borders against each other, compact presses a "
-      "periodic cell between plates, stiffness finds its tangent stiffness, "
-      "load moves and loads the drives.",
-      Allowed::list_of(Allowed::one_of(
-        "weave|relax|coat|biaxial|shear|bend|compact|stiffness|load")));
+    std::string summaries;
+    for (const StageType &type : stage_types())
+      summaries +=
+        (summaries.empty() ? "" : ", ") + type.name + " " + type.summary;
+    std::vector<std::string> names;
+    for (const StageType &type : stage_types())
+      names.push_back(type.name);
+    catalogue.add("Stages",
+                  stages,
+                  "What is done, in this order: " + summaries + ".",
+                  Allowed::list_of(Allowed::one_of(names)));
     catalogue.add("Accuracy",
                   accuracy,
                   "Error of the loading curve to aim at: sets together the "
@@ -510,10 +422,7 @@ namespace fiberloom
     declare_contact(catalogue, contact);
     declare_weaving(catalogue, weaving);
     declare_matrix(catalogue, matrix);
-    declare_biaxial(catalogue, biaxial);
-    declare_shear(catalogue, shear);
-    declare_bend(catalogue, bend);
-    declare_compact(catalogue, compact);
+    stage_settings.declare(catalogue);
     declare_load(catalogue, load);
     declare_solver(catalogue, solver);
     declare_output(catalogue, output);

@@ -95,9 +95,15 @@ namespace fiberloom
       given.push_back("File");
     if (!curves.empty())
       given.push_back("Curves");
-    if (arrangement != "none")
+    if (arrangement != Arrangement::none)
       given.push_back("Arrangement");
     return given;
+  }
+
+  bool
+  Parameters::has_stage(const std::string &name) const
+  {
+    return std::count(stages.begin(), stages.end(), name) > 0;
   }
 
   double

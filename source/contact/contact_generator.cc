@@ -59,8 +59,9 @@ namespace fiberloom
              parameters.search_margin * mesh.largest_radius(),
              .5 * mesh.largest_radius(),
              // Fibers of a fabric do not fold back on themselves.
-             parameters.self_contact == "true" ||
-               (parameters.self_contact == "automatic" && !fibers.pattern),
+             parameters.self_contact == SelfContact::always ||
+               (parameters.self_contact == SelfContact::automatic &&
+                !fibers.pattern),
              mesh.images())
     , woven_pairs(find_woven_pairs(this->fibers, mesh.images()))
   {}

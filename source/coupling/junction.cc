@@ -167,7 +167,7 @@ namespace fiberloom
         }
     };
 
-    if (parameters.layers == "filled")
+    if (parameters.layers == Layers::filled)
       {
         visit_stations(fibers,
                        parameters.junction_spacing,
@@ -181,7 +181,8 @@ namespace fiberloom
 
     for (const Side side : {Side::lower, Side::upper})
       {
-        if (parameters.layers == (side == Side::lower ? "upper" : "lower"))
+        if (parameters.layers ==
+            (side == Side::lower ? Layers::upper : Layers::lower))
           continue;
         const CloseSurface surface(fibers, q, side);
         visit_stations(fibers,

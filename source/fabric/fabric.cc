@@ -160,7 +160,7 @@ namespace fiberloom
       fiber.young_modulus = family.tows.young_modulus;
       fiber.poisson_ratio = family.tows.poisson_ratio;
       fiber.density       = family.tows.density;
-      fiber.law           = axial_law(family.tows.axial_law);
+      fiber.law           = family.tows.axial_law;
       fiber.strength      = family.tows.strength;
       for (unsigned int n = 0; n < n_nodes; ++n)
         fiber.centers.push_back(

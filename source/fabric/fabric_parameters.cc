@@ -74,11 +74,14 @@ namespace fiberloom
     check_stages(const Parameters &parameters, const FiberSet &fibers)
     {
       for (const std::string &stage : parameters.stages)
-        if (!fibers.pattern && stage != "load" && stage != "coat")
+        if (!fibers.pattern && stage_type(stage).needs_fabric())
           throw InputError(
             parameters.where("Stages") + ": " + stage +
             " needs a fabric, but Fibers/File has no columns tow and family "
-            "with warp and fill; allowed: coat, load, or a file with them");
+            "with warp and fill; allowed: " +
+            stage_names(
+              [](const StageType &type) { return !type.needs_fabric(); }) +
+            ", or a file with them");
     }
 
     /** Before anything of the size of the grid is built. */

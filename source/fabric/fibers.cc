@@ -162,7 +162,7 @@ namespace fiberloom
           add_file();
         else if (!fibers.curves.empty())
           add_curves();
-        else if (fibers.arrangement == "bundle")
+        else if (fibers.arrangement == Arrangement::bundle)
           add_bundle();
         else
           add_strand();
@@ -228,7 +228,7 @@ namespace fiberloom
         fiber.poisson_ratio =
           value_of(fibers.poisson_ratio, "Poisson ratio", group, n_groups);
         fiber.density  = value_of(fibers.density, "Density", group, n_groups);
-        fiber.law      = axial_law(fibers.axial_law);
+        fiber.law      = fibers.axial_law;
         fiber.strength = fibers.strength;
         return fiber;
       }
@@ -239,7 +239,7 @@ namespace fiberloom
         const unsigned int   number = set.fibers.size();
         const FiberPlacement given  = place_along(line);
         FiberPlacement       free   = given;
-        if (fibers.stress_free == "straight")
+        if (fibers.stress_free == StressFree::straight)
           {
             free          = straightened(given);
             fiber.initial = given;
@@ -281,7 +281,7 @@ namespace fiberloom
             explained(source + ": line number " + std::to_string(l), [&] {
               add_through(fiber,
                           read_polyline(lines[l]),
-                          fibers.interpolation == "smooth");
+                          fibers.interpolation == Joining::smooth);
             });
           }
       }
@@ -306,7 +306,7 @@ namespace fiberloom
             explained(source + ": fiber " + std::to_string(f), [&] {
               add_through(fiber,
                           read[f].points,
-                          fibers.interpolation != "straight");
+                          fibers.interpolation != Joining::straight);
             });
           }
         if (read.front().tow)
@@ -417,15 +417,6 @@ namespace fiberloom
       }
     };
   } // namespace
-
-  AxialLaw
-  axial_law(const std::string &name)
-  {
-    return name == "linear" ? AxialLaw::linear :
-                              AxialLaw::saint_venant_kirchhoff;
-  }
-
-
 
   FiberSet
   build_fibers(const Parameters &parameters)

@@ -161,32 +161,12 @@ namespace fiberloom
                        "out");
       }
 
-      /** Where a warp tow crosses a fill tow, a fiber of each lies between the
-       * plates. */
       void
-      check_compaction()
+      check_stages()
       {
-        const auto  &fabric  = parameters.fabric;
-        const auto  &compact = parameters.compact;
-        const auto  &stages  = parameters.stages;
-        const double two =
-          2 * (fabric.warp.fiber_radius + fabric.fill.fiber_radius);
-        const double fraction =
-          compact.thickness > 0 ?
-            fabric.volume_over_area() / compact.thickness :
-            compact.volume_fraction;
-        if (std::count(stages.begin(), stages.end(), "compact") == 0 ||
-            fabric.plies > 1 || fraction * two <= fabric.volume_over_area())
-          return;
-        add(parameters.where(compact.thickness > 0 ?
-                               "Compact/Thickness" :
-                               "Compact/Fiber volume fraction") +
-            ": plates are two fibers apart where tows cross in single layers, "
-            "at a fraction of about " +
-            (boost::format("%.2g") % (fabric.volume_over_area() / two)).str() +
-            " and a thickness of " + exact_text(rounded(two)) +
-            " mm; beyond that only sections give way, and pressures grow by "
-            "orders of magnitude");
+        for (const std::string &note :
+             parameters.stage_settings.notes(parameters))
+          add(note);
       }
 
       void
@@ -229,7 +209,7 @@ namespace fiberloom
         if (!parameters.fabric.fill.same_as_warp)
           notes.check_tows(parameters.fabric.fill, "Fabric/Fill/");
         notes.check_period(*fibers.pattern);
-        notes.check_compaction();
+        notes.check_stages();
       }
     else
       notes.check_fibers(fibers);

@@ -36,9 +36,9 @@ namespace fiberloom
 
 
 
-  HyperelasticLaw::HyperelasticLaw(const Type   type,
-                                   const double young_modulus,
-                                   const double poisson_ratio)
+  HyperelasticLaw::HyperelasticLaw(const MatrixLaw type,
+                                   const double    young_modulus,
+                                   const double    poisson_ratio)
     : law(type)
     , lambda(young_modulus * poisson_ratio /
              ((1 + poisson_ratio) * (1 - 2 * poisson_ratio)))
@@ -47,18 +47,10 @@ namespace fiberloom
 
 
 
-  HyperelasticLaw::Type
-  HyperelasticLaw::type(const std::string &name)
-  {
-    return name == "neo-Hooke" ? Type::neo_hooke : Type::saint_venant_kirchhoff;
-  }
-
-
-
   double
   HyperelasticLaw::energy(const Matrix3 &F) const
   {
-    if (law == Type::saint_venant_kirchhoff)
+    if (law == MatrixLaw::saint_venant_kirchhoff)
       {
         const Voigt  E     = green_lagrange_strain(F);
         const double trace = E.head<3>().sum();
@@ -80,7 +72,7 @@ namespace fiberloom
   Voigt
   HyperelasticLaw::stress(const Matrix3 &F) const
   {
-    if (law == Type::saint_venant_kirchhoff)
+    if (law == MatrixLaw::saint_venant_kirchhoff)
       {
         const Voigt E = green_lagrange_strain(F);
         Voigt       S = lambda * E.head<3>().sum() * unit_tensor();
@@ -101,7 +93,7 @@ namespace fiberloom
   HyperelasticLaw::stiffness(const Matrix3 &F) const
   {
     Voigt2 D = Voigt2::Zero();
-    if (law == Type::saint_venant_kirchhoff)
+    if (law == MatrixLaw::saint_venant_kirchhoff)
       {
         D.topLeftCorner<3, 3>().setConstant(lambda);
         D.diagonal() << lambda + 2 * mu, lambda + 2 * mu, lambda + 2 * mu, mu,

@@ -121,9 +121,9 @@ namespace fiberloom
   unsigned int
   n_layer_nodes(const MatrixParameters &parameters)
   {
-    const unsigned int n_layers = parameters.layers == "none" ? 0 :
-                                  parameters.layers == "both" ? 2 :
-                                                                1;
+    const unsigned int n_layers = parameters.layers == Layers::none ? 0 :
+                                  parameters.layers == Layers::both ? 2 :
+                                                                      1;
     return n_layers * (parameters.degree * parameters.cells_along_x + 1) *
            (parameters.degree * parameters.cells_along_y + 1) *
            (parameters.degree * parameters.cells_through_thickness + 1);
@@ -158,8 +158,8 @@ namespace fiberloom
                const FiberMesh        &mesh,
                const DofVector        &q)
   {
-    Extent            extent = fabric_extent(mesh, q);
-    const std::string layers = parameters.layers;
+    Extent       extent = fabric_extent(mesh, q);
+    const Layers layers = parameters.layers;
     for (const unsigned int c : {0, 1})
       if (const double size = c == 0 ? parameters.size_x : parameters.size_y;
           size > 0)
@@ -179,7 +179,7 @@ namespace fiberloom
 
     const bool    is_cell = !mesh.originals().empty();
     LayerGeometry geometry;
-    if (layers == "filled")
+    if (layers == Layers::filled)
       {
         geometry.blocks.push_back(make_block(x, y, bottom, top, n));
         return geometry;
@@ -187,13 +187,13 @@ namespace fiberloom
 
     std::vector<double> lower = surface_heights(mesh, q, Side::lower, x, y),
                         upper = surface_heights(mesh, q, Side::upper, x, y);
-    overlap_fabric(lower, upper, parameters.overlap, layers == "both");
-    if (layers == "lower" || layers == "both")
+    overlap_fabric(lower, upper, parameters.overlap, layers == Layers::both);
+    if (layers == Layers::lower || layers == Layers::both)
       {
         geometry.blocks.push_back(make_block(x, y, bottom, lower, n));
         repair_or_refuse(geometry.blocks.back(), n, is_cell);
       }
-    if (layers == "upper" || layers == "both")
+    if (layers == Layers::upper || layers == Layers::both)
       {
         geometry.blocks.push_back(make_block(x, y, upper, top, n));
         repair_or_refuse(geometry.blocks.back(), 0, is_cell);

@@ -26,27 +26,28 @@ namespace fiberloom
                  const std::string &directory)
     {
       const auto &names = parameters.output.exports;
-      const auto  wants = [&names](const char *name) {
+      const auto  wants = [&names](const Export name) {
         return std::count(names.begin(), names.end(), name) > 0;
       };
-      if (!wants("surface") && !wants("voxels") && !wants("abaqus"))
+      if (!wants(Export::surface) && !wants(Export::voxels) &&
+          !wants(Export::abaqus))
         return;
       const auto   shapes = tow_shapes(fibers, mesh, q);
       const double size   = voxel_size(parameters.output.voxel_size,
                                      mesh.smallest_radius(),
                                      enclosing_box(shapes));
-      if (wants("surface"))
+      if (wants(Export::surface))
         {
           const auto surfaces = tow_surfaces(shapes, .5 * size);
           write_file(directory + "surface.vtp", surfaces_vtp(surfaces));
           write_surfaces_stl(directory + "surface.stl", surfaces);
         }
-      if (!wants("voxels") && !wants("abaqus"))
+      if (!wants(Export::voxels) && !wants(Export::abaqus))
         return;
       const VoxelGrid grid = fill_voxels(mesh, q, shapes, size);
-      if (wants("voxels"))
+      if (wants(Export::voxels))
         write_file(directory + "voxels.vti", voxels_vti(grid));
-      if (wants("abaqus"))
+      if (wants(Export::abaqus))
         write_file(directory + "voxels.inp",
                    voxel_deck(grid,
                               fibers,
@@ -67,12 +68,12 @@ namespace fiberloom
       return;
     const std::string directory = parameters.output_directory + "/export/";
     std::filesystem::create_directories(directory);
-    for (const std::string &name : parameters.output.exports)
-      if (name == "paths")
+    for (const Export name : parameters.output.exports)
+      if (name == Export::paths)
         write_file(directory + "paths.csv", paths_csv(fibers, mesh, q));
-      else if (name == "texgen")
+      else if (name == Export::texgen)
         write_file(directory + "texgen.xml", texgen_xml(fibers, mesh, q));
-      else if (name == "fibers")
+      else if (name == Export::fibers)
         write_file(directory + "fibers.vtp", fibers_vtp(fibers, mesh, q));
     write_bodies(parameters, fibers, mesh, q, directory);
   }

@@ -111,13 +111,13 @@ namespace fiberloom
 
 
   std::vector<SlicePlane>
-  slice_planes(const FiberSet    &fibers,
-               const FiberMesh   &mesh,
-               const DofVector   &q,
-               const std::string &which)
+  slice_planes(const FiberSet  &fibers,
+               const FiberMesh &mesh,
+               const DofVector &q,
+               const Slices     which)
   {
     std::vector<SlicePlane> planes;
-    if (which == "none" || fibers.tows.empty())
+    if (which == Slices::none || fibers.tows.empty())
       return planes;
     if (fibers.tows.front().family == Tow::Family::none)
       planes.push_back(plane_across_first_fiber(fibers, mesh, q));
@@ -125,8 +125,8 @@ namespace fiberloom
     for (const auto family : {Tow::Family::warp, Tow::Family::fill})
       {
         const bool wanted =
-          which == "both" ||
-          which == (family == Tow::Family::warp ? "warp" : "fill");
+          which == Slices::both ||
+          which == (family == Tow::Family::warp ? Slices::warp : Slices::fill);
         if (const Tow *tow = middle_tow(fibers, family); tow && wanted)
           planes.push_back(plane_along_tow(fibers, *tow, mesh, q));
       }

@@ -58,7 +58,7 @@ namespace fiberloom
   filled_thickness(const Scene &scene, const State &state)
   {
     if (scene.composite == nullptr ||
-        scene.parameters.matrix.layers != "filled")
+        scene.parameters.matrix.layers != Layers::filled)
       return 0;
     const MatrixMesh &matrix    = scene.composite->matrix();
     const auto        positions = scene.composite->positions(state.q);

@@ -121,7 +121,8 @@ namespace fiberloom
     // exponent is that of a nested dissection factor.
     const double factor =
       .42 * std::pow((size.fiber_dofs + size.matrix_dofs) / 55188., 1.13);
-    const bool whole = parameters.solver.linear_solver == "double factor";
+    const bool whole =
+      parameters.solver.linear_solver == Preconditioning::double_factor;
     return gibibyte * (.17 * ranks + (whole ? 1.5 : 1) * factor);
   }
 

@@ -194,6 +194,30 @@ namespace fiberloom
       return merged;
     }
 
+    /** Those of all ranks, one after the other, on rank 0. */
+    std::vector<idx_t>
+    gathered(const MPI_Comm comm, const std::vector<idx_t> &own)
+    {
+      static_assert(sizeof(idx_t) == sizeof(int));
+      const int        n_own  = own.size();
+      const auto       counts = dealii::Utilities::MPI::gather(comm, n_own, 0);
+      std::vector<int> begins(counts.size(), 0);
+      for (unsigned int r = 1; r < counts.size(); ++r)
+        begins[r] = begins[r - 1] + counts[r - 1];
+      std::vector<idx_t> all(
+        std::accumulate(counts.begin(), counts.end(), std::size_t(0)));
+      MPI_Gatherv(own.data(),
+                  n_own,
+                  MPI_INT,
+                  all.data(),
+                  counts.data(),
+                  begins.data(),
+                  MPI_INT,
+                  0,
+                  comm);
+      return all;
+    }
+
     /** Whether @p blocks are hardly more than @p needed , over all ranks. */
     bool
     is_lean(const MPI_Comm   comm,
@@ -219,8 +243,8 @@ namespace fiberloom
               couples.push_back(layout.owned_blocks()[row]);
               couples.push_back(column);
             }
-      const auto parts =
-        dealii::Utilities::MPI::gather(layout.communicator(), couples, 0);
+      // deal.II's gather() would compress them.
+      couples = gathered(layout.communicator(), couples);
       if (dealii::Utilities::MPI::this_mpi_process(layout.communicator()) != 0)
         return {};
 
@@ -228,17 +252,15 @@ namespace fiberloom
       std::vector<idx_t> begin(n + 1, 0), weights(n);
       for (idx_t block = 0; block < n; ++block)
         weights[block] = layout.size(block);
-      for (const auto &part : parts)
-        for (const idx_t block : part)
-          ++begin[block + 1];
+      for (const idx_t block : couples)
+        ++begin[block + 1];
       std::partial_sum(begin.begin(), begin.end(), begin.begin());
       std::vector<idx_t> neighbours(begin[n]), end(begin);
-      for (const auto &part : parts)
-        for (std::size_t i = 0; i < part.size(); i += 2)
-          {
-            neighbours[end[part[i]]++]     = part[i + 1];
-            neighbours[end[part[i + 1]]++] = part[i];
-          }
+      for (std::size_t i = 0; i < couples.size(); i += 2)
+        {
+          neighbours[end[couples[i]]++]     = couples[i + 1];
+          neighbours[end[couples[i + 1]]++] = couples[i];
+        }
 
       std::vector<idx_t> order(n), position(n);
       idx_t              options[METIS_NOPTIONS];

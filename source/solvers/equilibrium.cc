@@ -280,8 +280,8 @@ namespace fiberloom
   bool
   Equilibrium::is_nested(const Problem &problem) const
   {
-    return parameters.solver.loops == "nested" || problem.rule.from_above ||
-           !system.has_potential(problem.targets);
+    return parameters.solver.loops == Loops::nested ||
+           problem.rule.from_above || !system.has_potential(problem.targets);
   }
 
 

@@ -61,15 +61,15 @@ namespace fiberloom
 
 
 
-  LinearSolver::LinearSolver(const System &system, const std::string &name)
+  LinearSolver::LinearSolver(const System &system, const Preconditioning wanted)
     : system(system)
-    , name(name)
-    , multigrid(name == "multigrid" ?
+    , wanted(wanted)
+    , multigrid(wanted == Preconditioning::multigrid ?
                   std::make_unique<Multigrid>(system.rigid_modes()) :
                   nullptr)
   {
     use_preferred();
-    if (name == "blocks")
+    if (wanted == Preconditioning::blocks)
       blocks =
         std::make_unique<BlockPreconditioner>(system.layout().communicator(),
                                               precision);
@@ -82,12 +82,13 @@ namespace fiberloom
   {
     const unsigned int n_dofs   = system.layout().n_dofs();
     const bool         is_small = n_dofs < single_precision_from;
-    precision                   = name == "double factor" ||
-                    (is_small && (name == "automatic" || name == "blocks")) ?
+    precision                   = wanted == Preconditioning::double_factor ||
+                    (is_small && (wanted == Preconditioning::automatic ||
+                                  wanted == Preconditioning::blocks)) ?
                                     DirectFactor::Precision::double_precision :
                                     DirectFactor::Precision::single_precision;
-    if (name == "rigid sections" ||
-        (n_dofs >= rigid_sections_from && name == "automatic"))
+    if (wanted == Preconditioning::rigid_sections ||
+        (n_dofs >= rigid_sections_from && wanted == Preconditioning::automatic))
       sections = std::make_unique<SectionPreconditioner>(system, precision);
     else
       use(precision);

@@ -589,7 +589,8 @@ namespace fiberloom
     increment.head(way.size()) = way;
     moving.choose(system.motion().largest_moves(increment), poor_model);
     if (!moving.are_all() && !of_few)
-      of_few = std::make_unique<LinearSolver>(system, "double factor");
+      of_few =
+        std::make_unique<LinearSolver>(system, Preconditioning::double_factor);
   }
 
 
@@ -627,7 +628,11 @@ namespace fiberloom
         LinearSolver::Outcome outcome;
         {
           ScopedTimer timer(statistics.seconds.linear_solver);
-          if (!solver().solve_again({system.matrix(), defect, forcing()},
+          // Without friction all is in the energy, and what a correction
+          // leaves is the next one's.
+          const double tolerance =
+            problem.rule.friction ? forcing() : poor_model;
+          if (!solver().solve_again({system.matrix(), defect, tolerance},
                                     solution,
                                     outcome))
             break;

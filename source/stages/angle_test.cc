@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
 #include <fiberloom/stages/angle_test.h>
@@ -17,9 +18,31 @@ namespace fiberloom
 
 
 
-  AngleTest::AngleTest(const Scene &scene, const AngleWay &angles)
+  void
+  AngleSettings::declare(ParameterCatalogue &catalogue)
+  {
+    catalogue.add("Largest angle",
+                  largest_angle,
+                  "Angle at the end of the test, or where Way is 1 [rad].",
+                  Allowed::from_to(1e-9, 3));
+    catalogue.add("First step",
+                  first_step,
+                  "First increment of the angle, and of each leg of Way [rad]; "
+                  "never more than the largest step.",
+                  Allowed::from_to(1e-9, 1));
+    catalogue.add("Largest step",
+                  largest_step,
+                  "Largest increment of the angle [rad].",
+                  Allowed::from_to(1e-9, .26));
+    Way::declare(catalogue, way, "the largest angle", -1);
+  }
+
+
+
+  AngleTest::AngleTest(const Scene &scene, const AngleSettings &angles)
     : Stage(scene)
     , angles(angles)
+    , turning(angles.way)
   {}
 
 

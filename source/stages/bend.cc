@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
 #include <fiberloom/stages/bend.h>
@@ -23,13 +24,47 @@ namespace fiberloom
 
 
 
+  void
+  BendSettings::declare(ParameterCatalogue &catalogue)
+  {
+    catalogue.enter_section("Bending");
+    catalogue.add("Direction",
+                  direction,
+                  "Family of tows that is bent: its two borders turn against "
+                  "each other.");
+    angle.declare(catalogue);
+    catalogue.leave_section();
+  }
+
+
+
+  void
+  BendSettings::check(const Parameters &parameters) const
+  {
+    Way::check(angle.way, parameters.where("Bending/Way"));
+  }
+
+
+
+  StageType
+  Bend::type()
+  {
+    return {"bend",
+            "turns two borders against each other",
+            StageType::Sample::fabric_with_ends,
+            &make<Bend>,
+            &make_settings<BendSettings>};
+  }
+
+
+
   Bend::Bend(const Scene &scene)
     : AngleTest(scene,
-                {scene.parameters.bend.largest_angle,
-                 scene.parameters.bend.first_step,
-                 scene.parameters.bend.largest_step,
-                 Way(scene.parameters.bend.way)})
-    , axis(scene.parameters.bend.direction == "warp" ? 0 : 1)
+                scene.parameters.stage_settings.get<BendSettings>().angle)
+    , axis(scene.parameters.stage_settings.get<BendSettings>().direction ==
+               Direction::warp ?
+             0 :
+             1)
   {
     const Extent extent = skin_extent(scene.mesh, scene.mesh.initial());
     length              = extent.high[axis] - extent.low[axis];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
 #include <fiberloom/stages/biaxial.h>
@@ -8,17 +10,91 @@
 
 namespace fiberloom
 {
+  void
+  BiaxialSettings::declare(ParameterCatalogue &catalogue)
+  {
+    catalogue.enter_section("Biaxial");
+    catalogue.add("Largest strain",
+                  largest_strain,
+                  "Elongation of the sample in the leading direction at the "
+                  "end of the test, or where Way is 1, over its length.",
+                  Allowed::from_to(1e-9, 1));
+    catalogue.add("Strain ratio",
+                  strain_ratio,
+                  "Strain of the other direction over that of the leading "
+                  "one; 0 holds the other direction.",
+                  Allowed::any_number());
+    catalogue.add("Leading direction",
+                  leading_direction,
+                  "Direction that takes the largest strain.");
+    catalogue.add("Other direction",
+                  other_direction,
+                  "Whether the other direction is strained by the ratio, or "
+                  "free: its tow ends move along their tows without force, "
+                  "in a periodic cell there is no mean stress along it.");
+    catalogue.add("First step",
+                  first_step,
+                  "First increment, and that of each leg of Way, over the "
+                  "largest strain; never more than the largest step.",
+                  Allowed::from_to(1e-6, 1));
+    catalogue.add("Largest step",
+                  largest_step,
+                  "Largest increment, over the largest strain.",
+                  Allowed::from_to(1e-6, 1));
+    Way::declare(catalogue, way, "the largest strain", -1);
+    catalogue.leave_section();
+  }
+
+
+
+  void
+  BiaxialSettings::resolve()
+  {
+    first_step = std::min(first_step, largest_step);
+  }
+
+
+
+  void
+  BiaxialSettings::check(const Parameters &parameters) const
+  {
+    const std::string where = parameters.where("Biaxial/Way");
+    Way::check(way, where);
+    for (const double part : way)
+      for (const double ratio : {1., strain_ratio})
+        if (const double strain = part * ratio * largest_strain; strain <= -1)
+          throw InputError(where + " = " + exact_text(way) +
+                           ": a strain would be " + exact_text(strain) +
+                           ", and nothing is left of the sample; allowed: "
+                           "above -1");
+  }
+
+
+
+  StageType
+  Biaxial::type()
+  {
+    return {"biaxial",
+            "pulls in both directions",
+            StageType::Sample::fabric,
+            &make<Biaxial>,
+            &make_settings<BiaxialSettings>};
+  }
+
+
+
   Biaxial::Biaxial(const Scene &scene)
     : Stage(scene)
-    , turning(scene.parameters.biaxial.way)
+    , settings(scene.parameters.stage_settings.get<BiaxialSettings>())
+    , turning(settings.way)
   {
-    const BiaxialParameters &biaxial = scene.parameters.biaxial;
-    warp_strain = fill_strain = biaxial.largest_strain;
-    const bool follows        = biaxial.other_direction == "free";
-    (biaxial.leading_direction == "fill" ? warp_strain : fill_strain) *=
-      follows ? 0 : biaxial.strain_ratio;
+    warp_strain = fill_strain = settings.largest_strain;
+    const bool follows = settings.other_direction == OtherDirection::free;
+    (settings.leading_direction == Direction::fill ? warp_strain :
+                                                     fill_strain) *=
+      follows ? 0 : settings.strain_ratio;
     if (follows)
-      free.set(biaxial.leading_direction == "fill" ? 0 : 1);
+      free.set(settings.leading_direction == Direction::fill ? 0 : 1);
   }
 
 
@@ -97,7 +173,7 @@ namespace fiberloom
   double
   Biaxial::first_step(const State &) const
   {
-    return scene.parameters.biaxial.first_step / turning.length();
+    return settings.first_step / turning.length();
   }
 
 
@@ -105,7 +181,7 @@ namespace fiberloom
   double
   Biaxial::largest_step() const
   {
-    return scene.parameters.biaxial.largest_step / turning.length();
+    return settings.largest_step / turning.length();
   }
 
 

@@ -21,6 +21,18 @@ namespace fiberloom
 
 
 
+  StageType
+  Coat::type()
+  {
+    return {"coat",
+            "adds layers of matrix",
+            StageType::Sample::fibers,
+            &make<Coat>,
+            {}};
+  }
+
+
+
   Supports
   Coat::supports(const DofVector &start) const
   {
@@ -74,13 +86,13 @@ namespace fiberloom
     MatrixState             matrix;
     matrix.layers        = build_layers(wanted, mesh, state.q);
     matrix.degree        = wanted.degree;
-    matrix.law           = wanted.law;
+    matrix.law           = name_of(wanted.law);
     matrix.young_modulus = wanted.young_modulus;
     matrix.poisson_ratio = wanted.poisson_ratio;
 
     const MatrixMesh hexes(matrix.layers,
                            matrix.degree,
-                           HyperelasticLaw(HyperelasticLaw::type(matrix.law),
+                           HyperelasticLaw(wanted.law,
                                            matrix.young_modulus,
                                            matrix.poisson_ratio));
     FoundJunctions   found = find_junctions(wanted, mesh, hexes, state.q);
@@ -151,7 +163,7 @@ namespace fiberloom
     demand("Degree",
            wanted.degree == matrix.degree,
            std::to_string(matrix.degree));
-    demand("Law", wanted.law == matrix.law, matrix.law);
+    demand("Law", name_of(wanted.law) == matrix.law, matrix.law);
     demand("Young modulus",
            wanted.young_modulus == matrix.young_modulus,
            exact_text(matrix.young_modulus));

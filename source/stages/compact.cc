@@ -11,6 +11,8 @@
 #include <fiberloom/stages/compact.h>
 #include <fiberloom/stages/ply_stack.h>
 
+#include <boost/format.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,10 +36,10 @@ namespace fiberloom
     constexpr double least_pressure = .01;
 
     Way
-    way_of(const CompactParameters &parameters)
+    way_of(const CompactSettings &settings)
     {
-      std::vector<double> turning_points = parameters.way;
-      if (parameters.return_way && turning_points.back() != 0)
+      std::vector<double> turning_points = settings.way;
+      if (settings.return_way && turning_points.back() != 0)
         turning_points.push_back(0);
       return Way(turning_points);
     }
@@ -45,10 +47,128 @@ namespace fiberloom
 
 
 
+  void
+  CompactSettings::declare(ParameterCatalogue &catalogue)
+  {
+    catalogue.enter_section("Compact");
+    catalogue.add("Thickness",
+                  thickness,
+                  "Distance of the plates at the end [mm]. One of this, "
+                  "Fiber volume fraction and Pressure has to be given.",
+                  Allowed::at_least(0));
+    catalogue.add("Fiber volume fraction",
+                  volume_fraction,
+                  "Volume of the fibers over that between the plates at the "
+                  "end.",
+                  Allowed::from_to_below(0, 1));
+    catalogue.add("Pressure",
+                  pressure,
+                  "Force on a plate over the area of the cell at the end "
+                  "[MPa].",
+                  Allowed::at_least(0));
+    catalogue.add("Return",
+                  return_way,
+                  "Whether the plates go back to where they began, after Way.",
+                  Allowed::true_or_false());
+    catalogue.add("Friction coefficient",
+                  friction_coefficient,
+                  "Coulomb's coefficient between fibers and plates; 0: no "
+                  "friction, negative: that between fibers.",
+                  Allowed::at_least(-1));
+    catalogue.add("First step",
+                  first_step,
+                  "First increment, and that of each leg of Way, over the "
+                  "whole approach; never more than the largest step.",
+                  Allowed::from_to(1e-6, 1));
+    catalogue.add("Largest step",
+                  largest_step,
+                  "Largest increment, over the whole approach.",
+                  Allowed::from_to(1e-6, 1));
+    Way::declare(catalogue, way, "the whole approach", 0);
+    catalogue.leave_section();
+  }
+
+
+
+  void
+  CompactSettings::resolve()
+  {
+    first_step = std::min(first_step, largest_step);
+  }
+
+
+
+  void
+  CompactSettings::check(const Parameters &parameters) const
+  {
+    Way::check(way, parameters.where("Compact/Way"));
+    if (!parameters.has_stage("compact"))
+      return;
+    if ((thickness > 0) + (volume_fraction > 0) + (pressure > 0) != 1)
+      throw InputError(parameters.where("Compact/Thickness") +
+                       ", Fiber volume fraction and Pressure: one of them "
+                       "says how far the plates go; allowed: one above 0");
+    constexpr double packed = .9068996821171089; // pi / sqrt(12)
+    const double     volume =
+      parameters.fabric.volume_over_area() * parameters.fabric.plies;
+    if (thickness > 0 && thickness <= volume / packed)
+      throw InputError(parameters.where("Compact/Thickness") + " = " +
+                       exact_text(thickness) +
+                       ": round fibers cannot be packed to that; allowed: "
+                       "above " +
+                       exact_text(volume / packed));
+    if (volume_fraction >= packed)
+      throw InputError(parameters.where("Compact/Fiber volume fraction") +
+                       " = " + exact_text(volume_fraction) +
+                       ": more than round fibers can be packed to; allowed: "
+                       "below " +
+                       exact_text(packed));
+  }
+
+
+
+  std::vector<std::string>
+  CompactSettings::notes(const Parameters &parameters) const
+  {
+    // A fiber of each tow lies between the plates where two tows cross.
+    const FabricParameters &fabric = parameters.fabric;
+    const double            two =
+      2 * (fabric.warp.fiber_radius + fabric.fill.fiber_radius);
+    const double volume = fabric.volume_over_area();
+    const double fraction =
+      thickness > 0 ? volume / thickness : volume_fraction;
+    if (!parameters.has_stage("compact") || fabric.plies > 1 ||
+        fraction * two <= volume)
+      return {};
+    return {parameters.where(thickness > 0 ? "Compact/Thickness" :
+                                             "Compact/Fiber volume fraction") +
+            (boost::format(
+               ": plates are two fibers apart where tows cross in single "
+               "layers, at a fraction of about %.2g and a thickness of %.12g "
+               "mm; beyond that only sections give way, and pressures grow by "
+               "orders of magnitude") %
+             (volume / two) % two)
+              .str()};
+  }
+
+
+
+  StageType
+  Compact::type()
+  {
+    return {"compact",
+            "presses a periodic cell between plates",
+            StageType::Sample::cell,
+            &make<Compact>,
+            &make_settings<CompactSettings>};
+  }
+
+
+
   Compact::Compact(const Scene &scene)
     : Stage(scene)
-    , parameters(scene.parameters.compact)
-    , turning(way_of(scene.parameters.compact))
+    , settings(scene.parameters.stage_settings.get<CompactSettings>())
+    , turning(way_of(settings))
     , fiber_volume(0)
   {
     for (const auto &line : scene.mesh.lines())
@@ -65,7 +185,7 @@ namespace fiberloom
     RigidBody body;
     body.name = "plates";
     body.prescribed.reset(2);
-    if (parameters.pressure > 0)
+    if (settings.pressure > 0)
       body.prescribed.reset(0);
     supports.bodies.push_back(body);
     const ContactParameters &contact = scene.parameters.contact;
@@ -120,9 +240,9 @@ namespace fiberloom
   double
   Compact::plate_friction() const
   {
-    return parameters.friction_coefficient < 0 ?
+    return settings.friction_coefficient < 0 ?
              scene.parameters.contact.friction_coefficient :
-             parameters.friction_coefficient;
+             settings.friction_coefficient;
   }
 
 
@@ -147,9 +267,9 @@ namespace fiberloom
   double
   Compact::last_distance(const std::vector<Placement> &start) const
   {
-    return parameters.volume_fraction > 0 ?
-             fiber_volume / (area(start) * parameters.volume_fraction) :
-             parameters.thickness;
+    return settings.volume_fraction > 0 ?
+             fiber_volume / (area(start) * settings.volume_fraction) :
+             settings.thickness;
   }
 
 
@@ -159,7 +279,7 @@ namespace fiberloom
   {
     // As if all had been pressed together evenly until now.
     Past past{state.q, state.placements, state.load - load_step};
-    if (parameters.pressure > 0)
+    if (settings.pressure > 0)
       return {};
     const double start = state.stage_start_placements[plates].position[0],
                  end   = last_distance(state.stage_start_placements),
@@ -182,8 +302,8 @@ namespace fiberloom
     std::vector<BodyTarget> targets;
     for (const Placement &placement : start)
       targets.push_back({placement});
-    if (parameters.pressure > 0)
-      targets[plates].load[0] = -parameters.pressure * area(start) *
+    if (settings.pressure > 0)
+      targets[plates].load[0] = -settings.pressure * area(start) *
                                 std::max(least_pressure, turning.at(load));
     else
       targets[plates].placement.position[0] +=
@@ -206,7 +326,7 @@ namespace fiberloom
   double
   Compact::first_step(const State &) const
   {
-    return parameters.first_step / turning.length();
+    return settings.first_step / turning.length();
   }
 
 
@@ -214,7 +334,7 @@ namespace fiberloom
   double
   Compact::largest_step() const
   {
-    return parameters.largest_step / turning.length();
+    return settings.largest_step / turning.length();
   }
 
 

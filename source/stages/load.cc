@@ -29,11 +29,11 @@ namespace fiberloom
       {"x", "y", "z", "rx", "ry", "rz"}};
 
     Hold
-    find_hold(const std::string &name)
+    find_hold(const EndHold hold)
     {
-      return name == "clamped" ? Hold::clamped :
-             name == "pinned"  ? Hold::pinned :
-                                 Hold::center;
+      return hold == EndHold::clamped ? Hold::clamped :
+             hold == EndHold::pinned  ? Hold::pinned :
+                                        Hold::center;
     }
 
     Eigen::Quaterniond
@@ -93,6 +93,18 @@ namespace fiberloom
         row.emplace_back(name + dof_names[c] + unit, value[c]);
     }
   } // namespace
+
+
+
+  StageType
+  Load::type()
+  {
+    return {"load",
+            "moves and loads the drives",
+            StageType::Sample::fibers_with_ends,
+            &make<Load>,
+            {}};
+  }
 
 
 
@@ -221,7 +233,8 @@ namespace fiberloom
         if (found.empty())
           throw InputError(
             scene.parameters.where(drive.entry("Matrix borders")) + ": the " +
-            scene.parameters.matrix.layers + " layers have no border " + name +
+            name_of(scene.parameters.matrix.layers) +
+            " layers have no border " + name +
             "; allowed: x start, x end, y start, y end, and where a layer lies "
             "bottom, top");
         nodes.insert(found.begin(), found.end());

@@ -9,6 +9,18 @@
 
 namespace fiberloom
 {
+  StageType
+  Relax::type()
+  {
+    return {"relax",
+            "lets the fabric come to rest",
+            StageType::Sample::fabric,
+            &make<Relax>,
+            {}};
+  }
+
+
+
   Supports
   Relax::supports(const DofVector &) const
   {

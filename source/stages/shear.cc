@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
 #include <fiberloom/stages/cell.h>
@@ -22,12 +23,39 @@ namespace fiberloom
 
 
 
+  void
+  ShearSettings::declare(ParameterCatalogue &catalogue)
+  {
+    catalogue.enter_section("Shear");
+    angle.declare(catalogue);
+    catalogue.leave_section();
+  }
+
+
+
+  void
+  ShearSettings::check(const Parameters &parameters) const
+  {
+    Way::check(angle.way, parameters.where("Shear/Way"));
+  }
+
+
+
+  StageType
+  Shear::type()
+  {
+    return {"shear",
+            "makes a frame of the borders and tilts it",
+            StageType::Sample::fabric,
+            &make<Shear>,
+            &make_settings<ShearSettings>};
+  }
+
+
+
   Shear::Shear(const Scene &scene)
     : AngleTest(scene,
-                {scene.parameters.shear.largest_angle,
-                 scene.parameters.shear.first_step,
-                 scene.parameters.shear.largest_step,
-                 Way(scene.parameters.shear.way)})
+                scene.parameters.stage_settings.get<ShearSettings>().angle)
   {}
 
 

@@ -6,6 +6,18 @@
 
 namespace fiberloom
 {
+  StageType
+  Stiffness::type()
+  {
+    return {"stiffness",
+            "finds its tangent stiffness",
+            StageType::Sample::cell,
+            &make<Stiffness>,
+            {}};
+  }
+
+
+
   Supports
   Stiffness::supports(const DofVector &) const
   {

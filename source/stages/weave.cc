@@ -9,6 +9,18 @@
 
 namespace fiberloom
 {
+  StageType
+  Weave::type()
+  {
+    return {"weave",
+            "moves the tows apart",
+            StageType::Sample::fabric,
+            &make<Weave>,
+            {}};
+  }
+
+
+
   Weave::Weave(const Scene &scene)
     : Stage(scene)
     , full_overlap(0)
@@ -88,8 +100,8 @@ namespace fiberloom
   Weave::has_fast_path() const
   {
     return scene.parameters.is_preview() ||
-           (scene.parameters.weaving.path != "nested" &&
-            scene.parameters.solver.loops != "nested");
+           (scene.parameters.weaving.path != WeavingPath::nested &&
+            scene.parameters.solver.loops != Loops::nested);
   }
 
 

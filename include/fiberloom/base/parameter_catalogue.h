@@ -4,6 +4,8 @@
 #ifndef fiberloom_base_parameter_catalogue_h
 #define fiberloom_base_parameter_catalogue_h
 
+#include <fiberloom/base/choices.h>
+
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
@@ -46,9 +48,13 @@ namespace fiberloom
     static Allowed
     whole(const int lower, const int upper);
 
-    /** @p names separated by "|". */
     static Allowed
-    one_of(const std::string &names);
+    one_of(const std::vector<std::string> &names);
+
+    /** By their names. */
+    template <class Choice>
+    static Allowed
+    one_of(const Choices<Choice> &choices);
 
     static Allowed
     true_or_false();
@@ -111,6 +117,11 @@ namespace fiberloom
         T                 &member,
         const std::string &text,
         const Allowed     &allowed);
+
+    /** One of the choices there are, or a list of them. */
+    template <class T>
+    void
+    add(const std::string &name, T &member, const std::string &text);
 
     /**
      * Gives the entry @p path the value. Throws InputError which starts with
@@ -191,6 +202,49 @@ namespace fiberloom
     else
       prm.add_parameter(name, member, text, *allowed.pattern);
     record(name, text, allowed);
+  }
+
+  template <class Choice>
+  Allowed
+  Allowed::one_of(const Choices<Choice> &choices)
+  {
+    std::vector<std::string> names;
+    for (const auto &known : choices)
+      names.push_back(known.second);
+    return one_of(names);
+  }
+
+  template <class T>
+  void
+  ParameterCatalogue::add(const std::string &name,
+                          T                 &member,
+                          const std::string &text)
+  {
+    const auto declare =
+      [&](const std::string &value, const Allowed &allowed, const auto &set) {
+        prm.declare_entry(name, value, *allowed.pattern, text);
+        prm.add_action(name, set);
+        record(name, text, allowed);
+      };
+    if constexpr (std::is_enum<T>::value)
+      declare(name_of(member),
+              Allowed::one_of(choices<T>),
+              [&member](const std::string &value) {
+                member = choice_of<T>(value);
+              });
+    else
+      {
+        using Choice = typename T::value_type;
+        Assert(member.empty(), dealii::ExcNotImplemented());
+        declare("",
+                Allowed::list_of(Allowed::one_of(choices<Choice>)),
+                [&member](const std::string &value) {
+                  member.clear();
+                  for (const std::string &item :
+                       dealii::Utilities::split_string_list(value, ','))
+                    member.push_back(choice_of<Choice>(item));
+                });
+      }
   }
 } // namespace fiberloom
 

@@ -4,6 +4,8 @@
 #ifndef fiberloom_base_parameters_h
 #define fiberloom_base_parameters_h
 
+#include <fiberloom/base/choices.h>
+#include <fiberloom/base/stage_type.h>
 #include <fiberloom/base/strength_parameters.h>
 
 #include <cmath>
@@ -36,11 +38,11 @@ namespace fiberloom
     double                    fiber_spacing = 2.06;  // over the radius
     double                    tow_spacing   = 0.24;  // [mm]
     double overhang = 0; // [mm], automatic: half a spacing of the crossing tows
-    double young_modulus         = 73000; // [MPa]
-    double poisson_ratio         = 0.22;
-    double density               = 0;                        // [t/mm^3]
-    std::string        axial_law = "Saint Venant-Kirchhoff"; // | linear
-    unsigned int       elements_per_fiber = 0;               // automatic
+    double young_modulus                  = 73000; // [MPa]
+    double poisson_ratio                  = 0.22;
+    double density                        = 0; // [t/mm^3]
+    AxialLaw           axial_law          = AxialLaw::saint_venant_kirchhoff;
+    unsigned int       elements_per_fiber = 0; // automatic
     StrengthParameters strength;
 
     /** Mean, where these tows cross @p crossing [mm]. */
@@ -98,18 +100,18 @@ namespace fiberloom
     std::string file;
     std::string curves; // "x; y; z | x; y; z" [mm] functions of s and i
     std::vector<unsigned int> fibers_per_curve = {1};
-    std::string               arrangement = "none"; // none | bundle | strand
+    Arrangement               arrangement      = Arrangement::none;
     BundleParameters          bundle;
     StrandParameters          strand;
-    std::string         interpolation = "automatic"; // | straight | smooth
-    std::string         stress_free   = "as given";  // as given | straight
-    std::vector<double> radius        = {0.01};      // [mm]
-    std::vector<double> young_modulus = {73000};     // [MPa]
-    std::vector<double> poisson_ratio = {0.22};
-    std::vector<double> density       = {0};                      // [t/mm^3]
-    std::string         axial_law     = "Saint Venant-Kirchhoff"; // | linear
-    unsigned int        elements_per_fiber = 8;
-    StrengthParameters  strength;
+    Joining                   interpolation = Joining::automatic;
+    StressFree                stress_free   = StressFree::as_given;
+    std::vector<double>       radius        = {0.01};  // [mm]
+    std::vector<double>       young_modulus = {73000}; // [MPa]
+    std::vector<double>       poisson_ratio = {0.22};
+    std::vector<double>       density       = {0}; // [t/mm^3]
+    AxialLaw                  axial_law     = AxialLaw::saint_venant_kirchhoff;
+    unsigned int              elements_per_fiber = 8;
+    StrengthParameters        strength;
 
     /** The entries that say where fibers come from, of those given. */
     std::vector<std::string>
@@ -124,8 +126,8 @@ namespace fiberloom
   struct DriveParameters
   {
     std::string name;
-    std::string ends;             // "0 start, all end, 3 at 0.5"
-    std::string hold = "clamped"; // clamped | pinned | centers
+    std::string ends; // "0 start, all end, 3 at 0.5"
+    EndHold     hold = EndHold::clamped;
     std::string held; // "x y z spin tilt": instead of hold, in detail
     std::string
       free; // degrees of freedom of the body left free: "x y z rx ry rz"
@@ -146,47 +148,20 @@ namespace fiberloom
     double stations_per_element = 0; // automatic: by accuracy
     double initial_stiffness    = 0.2; // over E r
     double line_stiffness       = 0; // [N/mm^2], automatic: as penetration asks
-    double elastic_slip         = 0.05;        // over the radius
-    double search_margin        = 0.3;         // over the radius
-    std::string self_contact    = "automatic"; // automatic | true | false
+    double elastic_slip         = 0.05; // over the radius
+    double search_margin        = 0.3;  // over the radius
+    SelfContact self_contact    = SelfContact::automatic;
   };
 
   /** How overlapping tows are moved apart in stage "weave". */
   struct WeavingParameters
   {
-    std::string path = "automatic"; // automatic | nested
+    WeavingPath path = WeavingPath::automatic;
     double      step =
       0.5; // reduction of the allowed overlap per step over the radius
     unsigned int fast_iterations_per_step = 2;
     unsigned int coarser_meshes           = 2;
     double       near_enough = 0; // of a coarser mesh, see Problem; no entry
-  };
-
-  /** Stage "biaxial": pulls along warp and fill. */
-  struct BiaxialParameters
-  {
-    double      largest_strain = 0.02;
-    double      strain_ratio = 1; // of the other direction over the leading one
-    std::string leading_direction = "fill";
-    std::string other_direction   = "strained"; // | free
-    double      first_step        = 0.1;        // of the largest strain
-    double      largest_step      = 0.2;        // of the largest strain
-
-    std::vector<double> way = {1}; // parts of the largest strain
-  };
-
-  /** Stage "compact": a cell between two rigid plates. */
-  struct CompactParameters
-  {
-    double thickness       = 0; // between the plates [mm]; one of these three
-    double volume_fraction = 0; // of fibers between the plates
-    double pressure        = 0; // on the plates [MPa]
-    bool   return_way      = false;   // and back to where it began
-    double friction_coefficient = -1; // of the plates; -1: the fibers' own
-    double first_step           = .02;
-    double largest_step         = .05;
-
-    std::vector<double> way = {1}; // parts of that
   };
 
   /**
@@ -195,7 +170,7 @@ namespace fiberloom
    */
   struct MatrixParameters
   {
-    std::string  layers    = "none";     // none | upper | lower | both | filled
+    Layers       layers    = Layers::none;
     double       thickness = 0;          // beyond the outermost skin [mm]
     double       overlap   = 0;          // of layers and outer fibers [mm]
     double       size_x = 0, size_y = 0; // [mm], 0: that of the fibers
@@ -203,33 +178,12 @@ namespace fiberloom
     unsigned int cells_along_y           = 0;
     unsigned int cells_through_thickness = 1;
     unsigned int degree                  = 2;
-    std::string  law                = "neo-Hooke"; // | Saint Venant-Kirchhoff
-    double       young_modulus      = 50;          // [MPa]
-    double       poisson_ratio      = 0.35;
-    double       junction_spacing   = 0; // along the fibers [mm]
+    MatrixLaw    law                     = MatrixLaw::neo_hooke;
+    double       young_modulus           = 50; // [MPa]
+    double       poisson_ratio           = 0.35;
+    double       junction_spacing        = 0; // along the fibers [mm]
     double       junction_stiffness = 0; // per length [MPa], 0: by the modulus
     double       junction_reach     = 4; // over the fiber radius
-  };
-
-  /** Stage "shear": the sample as a frame of hinged bars. */
-  struct ShearParameters
-  {
-    double largest_angle = 0.7;  // [rad]
-    double first_step    = 0.05; // of the angle [rad]
-    double largest_step  = 0.05; // of the angle [rad]
-
-    std::vector<double> way = {1}; // parts of the largest angle
-  };
-
-  /** Stage "bend": two opposite borders turn against each other. */
-  struct BendParameters
-  {
-    double      largest_angle = 1.5707963267948966; // between them [rad]
-    std::string direction     = "warp"; // the one that is bent: warp | fill
-    double      first_step    = 0.05;   // of the angle [rad]
-    double      largest_step  = 0.05;   // of the angle [rad]
-
-    std::vector<double> way = {1}; // parts of the largest angle
   };
 
   /** Stage "load", in which t runs from 0 to @p end . */
@@ -251,26 +205,24 @@ namespace fiberloom
   /** How equilibrium is found, and how well. */
   struct SolverParameters
   {
-    std::string loops = "newton"; // newton | nested
-    double      contact_tolerance =
+    Loops  loops = Loops::newton;
+    double contact_tolerance =
       0; // over the largest contact force; automatic: by accuracy
     double newton_tolerance =
       1e-8; // where there is no contact, over the internal forces
     double largest_move =
       0.5; // per Newton iteration, over the radius; 0: unlimited
-    unsigned int largest_contact_passes    = 12;
-    unsigned int largest_normal_passes     = 15;
-    unsigned int largest_newton_iterations = 40;
-    unsigned int largest_loop_iterations   = 150;
-    double       damping                   = 2e-3; // of weaving, over E r
-    unsigned int line_search_from          = 5;
-    double       growth                    = 1.3;
-    unsigned int largest_cuts              = 8;
-    std::string  linear_solver =
-      "automatic"; // automatic | double factor | single factor | blocks |
-                   // multigrid
-    bool benchmark      = false;
-    bool error_estimate = true;
+    unsigned int    largest_contact_passes    = 12;
+    unsigned int    largest_normal_passes     = 15;
+    unsigned int    largest_newton_iterations = 40;
+    unsigned int    largest_loop_iterations   = 150;
+    double          damping                   = 2e-3; // of weaving, over E r
+    unsigned int    line_search_from          = 5;
+    double          growth                    = 1.3;
+    unsigned int    largest_cuts              = 8;
+    Preconditioning linear_solver             = Preconditioning::automatic;
+    bool            benchmark                 = false;
+    bool            error_estimate            = true;
   };
 
   /** What is written, and how often. */
@@ -278,7 +230,7 @@ namespace fiberloom
   {
     unsigned int fields_every =
       1; // accepted increments; 0: only at the end of a stage
-    std::string  slices = "both"; // warp | fill | both | none
+    Slices       slices = Slices::both;
     unsigned int slices_every =
       0; // accepted increments; 0: only at the start and end of a stage
     unsigned int section_points   = 12;
@@ -288,8 +240,7 @@ namespace fiberloom
     bool         iterations       = false;
     bool         only_summary     = false;
 
-    std::vector<std::string> exports; // surface | voxels | abaqus | paths |
-                                      // texgen | fibers
+    std::vector<Export> exports;
     double voxel_size = 0; // [mm], 0: the smallest fiber radius, or more
   };
 
@@ -315,10 +266,7 @@ namespace fiberloom
     ContactParameters            contact;
     WeavingParameters            weaving;
     MatrixParameters             matrix;
-    BiaxialParameters            biaxial;
-    ShearParameters              shear;
-    BendParameters               bend;
-    CompactParameters            compact;
+    AllStageSettings             stage_settings;
     LoadParameters               load;
     SolverParameters             solver;
     OutputParameters             output;
@@ -327,9 +275,12 @@ namespace fiberloom
     std::vector<std::string> notes;
 
     bool
+    has_stage(const std::string &name) const;
+
+    bool
     has_matrix() const
     {
-      return matrix.layers != "none";
+      return matrix.layers != Layers::none;
     }
 
     /** Woven roughly, by coarse fibers that are not in balance at the end. */

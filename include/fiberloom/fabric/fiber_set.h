@@ -4,6 +4,7 @@
 #ifndef fiberloom_fabric_fiber_set_h
 #define fiberloom_fabric_fiber_set_h
 
+#include <fiberloom/base/choices.h>
 #include <fiberloom/base/strength_parameters.h>
 #include <fiberloom/base/vector_types.h>
 
@@ -25,17 +26,6 @@ namespace fiberloom
     std::vector<Vector3> directions_1;
     std::vector<Vector3> directions_2;
   };
-
-  /** Of the axial force with the stretch. */
-  enum class AxialLaw
-  {
-    saint_venant_kirchhoff,
-    linear
-  };
-
-  /** From its name among the parameters. */
-  AxialLaw
-  axial_law(const std::string &name);
 
   /**
    * One fiber as the user described it: a stress-free centre line through

@@ -4,9 +4,8 @@
 #ifndef fiberloom_matrix_hyperelastic_law_h
 #define fiberloom_matrix_hyperelastic_law_h
 
+#include <fiberloom/base/choices.h>
 #include <fiberloom/base/vector_types.h>
-
-#include <string>
 
 namespace fiberloom
 {
@@ -27,20 +26,10 @@ namespace fiberloom
   class HyperelasticLaw
   {
   public:
-    enum class Type
-    {
-      saint_venant_kirchhoff,
-      neo_hooke
-    };
-
     /** @p young_modulus in MPa. */
-    HyperelasticLaw(const Type   type,
-                    const double young_modulus,
-                    const double poisson_ratio);
-
-    /** @p name : Saint Venant-Kirchhoff or neo-Hooke. */
-    static Type
-    type(const std::string &name);
+    HyperelasticLaw(const MatrixLaw type,
+                    const double    young_modulus,
+                    const double    poisson_ratio);
 
     /** Stored energy [MPa]; infinite where J <= 0 . */
     double
@@ -55,8 +44,8 @@ namespace fiberloom
     stiffness(const Matrix3 &F) const;
 
   private:
-    Type   law;
-    double lambda, mu; // Lame's constants [MPa]
+    MatrixLaw law;
+    double    lambda, mu; // Lame's constants [MPa]
   };
 
   /** Green-Lagrange strain with doubled shear components. */

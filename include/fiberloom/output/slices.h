@@ -4,6 +4,8 @@
 #ifndef fiberloom_output_slices_h
 #define fiberloom_output_slices_h
 
+#include <fiberloom/base/choices.h>
+
 #include <fiberloom/fabric/fiber_set.h>
 
 #include <fiberloom/beams/fiber_mesh.h>
@@ -46,10 +48,10 @@ namespace fiberloom
    * across the first one, at its middle.
    */
   std::vector<SlicePlane>
-  slice_planes(const FiberSet    &fibers,
-               const FiberMesh   &mesh,
-               const DofVector   &q,
-               const std::string &which);
+  slice_planes(const FiberSet  &fibers,
+               const FiberMesh &mesh,
+               const DofVector &q,
+               const Slices     which);
 
   /** Cuts the deformed fibers, whose sections get @p n_around points. */
   std::vector<SliceOutline>

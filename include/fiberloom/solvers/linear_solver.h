@@ -4,6 +4,7 @@
 #ifndef fiberloom_solvers_linear_solver_h
 #define fiberloom_solvers_linear_solver_h
 
+#include <fiberloom/base/choices.h>
 #include <fiberloom/base/statistics.h>
 
 #include <fiberloom/solvers/block_preconditioner.h>
@@ -14,7 +15,6 @@
 #include <Epetra_Vector.h>
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace fiberloom
@@ -42,9 +42,8 @@ namespace fiberloom
   class LinearSolver
   {
   public:
-    /** @p name : automatic, double factor, single factor, rigid sections,
-     * blocks or multigrid. The system is kept by reference. */
-    LinearSolver(const System &system, const std::string &name);
+    /** The system is kept by reference. */
+    LinearSolver(const System &system, const Preconditioning wanted);
 
     /** What becomes of an indefinite matrix: it is shifted until it is not,
      * solved as it is, or nothing is solved. */
@@ -153,7 +152,7 @@ namespace fiberloom
     solve_by_blocks(Task &task);
 
     const System                          &system;
-    const std::string                      name;
+    const Preconditioning                  wanted;
     bool                                   gave_way       = false;
     bool                                   was_indefinite = false;
     DirectFactor::Precision                precision;

@@ -10,11 +10,17 @@
 
 namespace fiberloom
 {
-  /** The largest angle, its steps [rad] and the way that it takes. */
-  struct AngleWay
+  /** Entries of a test by an angle. */
+  struct AngleSettings
   {
-    double largest_angle, first_step, largest_step; // [rad]
-    Way    turning;
+    double largest_angle;       // [rad]
+    double first_step   = 0.05; // of the angle [rad]
+    double largest_step = 0.05; // of the angle [rad]
+
+    std::vector<double> way = {1}; // parts of the largest angle
+
+    void
+    declare(ParameterCatalogue &catalogue);
   };
 
 
@@ -26,7 +32,7 @@ namespace fiberloom
   class AngleTest : public Stage
   {
   public:
-    AngleTest(const Scene &scene, const AngleWay &angles);
+    AngleTest(const Scene &scene, const AngleSettings &angles);
 
     void
     begin(State &state) const override;
@@ -42,20 +48,19 @@ namespace fiberloom
     first_step(const State &) const override
     {
       return std::min(angles.first_step, angles.largest_step) /
-             (angles.largest_angle * angles.turning.length());
+             (angles.largest_angle * turning.length());
     }
 
     double
     largest_step() const override
     {
-      return angles.largest_step /
-             (angles.largest_angle * angles.turning.length());
+      return angles.largest_step / (angles.largest_angle * turning.length());
     }
 
     const Way *
     way() const override
     {
-      return &angles.turning;
+      return &turning;
     }
 
     bool
@@ -98,11 +103,12 @@ namespace fiberloom
     double
     angle_at(const double load) const
     {
-      return angles.turning.at(load) * angles.largest_angle;
+      return turning.at(load) * angles.largest_angle;
     }
 
   private:
-    const AngleWay angles;
+    const AngleSettings angles;
+    const Way           turning;
   };
 } // namespace fiberloom
 

@@ -4,10 +4,29 @@
 #ifndef fiberloom_stages_bend_h
 #define fiberloom_stages_bend_h
 
+#include <fiberloom/base/choices.h>
+
 #include <fiberloom/stages/angle_test.h>
 
 namespace fiberloom
 {
+  /** Section Bending of the parameter file. */
+  struct BendSettings : public CopyableSettings<BendSettings>
+  {
+    Direction     direction = Direction::warp;      // the one that is bent
+    AngleSettings angle     = {1.5707963267948966}; // between the borders
+
+    void
+    declare(ParameterCatalogue &catalogue) override;
+
+    void
+    resolve() override
+    {}
+
+    void
+    check(const Parameters &parameters) const override;
+  };
+
   /**
    * Section 6.4 of the paper: two opposite borders turn by half the angle each,
    * against each other, about axes in the middle of the fabric whose distance
@@ -20,6 +39,9 @@ namespace fiberloom
   class Bend : public AngleTest
   {
   public:
+    static StageType
+    type();
+
     explicit Bend(const Scene &scene);
 
     Supports

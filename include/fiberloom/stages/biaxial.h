@@ -4,12 +4,36 @@
 #ifndef fiberloom_stages_biaxial_h
 #define fiberloom_stages_biaxial_h
 
+#include <fiberloom/base/choices.h>
+
 #include <fiberloom/stages/tow_ends.h>
 
 #include <bitset>
 
 namespace fiberloom
 {
+  /** Section Biaxial of the parameter file. */
+  struct BiaxialSettings : public CopyableSettings<BiaxialSettings>
+  {
+    double    largest_strain = 0.02;
+    double    strain_ratio   = 1; // of the other direction over the leading one
+    Direction leading_direction    = Direction::fill;
+    OtherDirection other_direction = OtherDirection::strained;
+    double         first_step      = 0.1; // of the largest strain
+    double         largest_step    = 0.2; // of the largest strain
+
+    std::vector<double> way = {1}; // parts of the largest strain
+
+    void
+    declare(ParameterCatalogue &catalogue) override;
+
+    void
+    resolve() override;
+
+    void
+    check(const Parameters &parameters) const override;
+  };
+
   /**
    * Section 6.2 of the paper: the sample is stretched in warp and fill, every
    * tow end moving with the homogeneous deformation of the sample.
@@ -17,6 +41,9 @@ namespace fiberloom
   class Biaxial : public Stage
   {
   public:
+    static StageType
+    type();
+
     explicit Biaxial(const Scene &scene);
 
     Supports
@@ -65,9 +92,10 @@ namespace fiberloom
     double
     free_strain(const unsigned int direction, const State &state) const;
 
-    const Way      turning;
-    double         warp_strain, fill_strain; // the largest
-    std::bitset<2> free;                     // warp or fill
+    const BiaxialSettings &settings;
+    const Way              turning;
+    double                 warp_strain, fill_strain; // the largest
+    std::bitset<2>         free;                     // warp or fill
   };
 } // namespace fiberloom
 

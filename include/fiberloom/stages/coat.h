@@ -18,6 +18,9 @@ namespace fiberloom
   class Coat : public Relax
   {
   public:
+    static StageType
+    type();
+
     using Relax::Relax;
 
     Supports

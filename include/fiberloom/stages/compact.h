@@ -4,12 +4,37 @@
 #ifndef fiberloom_stages_compact_h
 #define fiberloom_stages_compact_h
 
-#include <fiberloom/base/parameters.h>
-
 #include <fiberloom/stages/stage.h>
 
 namespace fiberloom
 {
+  /** Section Compact of the parameter file. */
+  struct CompactSettings : public CopyableSettings<CompactSettings>
+  {
+    double thickness       = 0; // between the plates [mm]; one of these three
+    double volume_fraction = 0; // of fibers between the plates
+    double pressure        = 0; // on the plates [MPa]
+    bool   return_way      = false;   // and back to where it began
+    double friction_coefficient = -1; // of the plates; -1: the fibers' own
+    double first_step           = .02;
+    double largest_step         = .05;
+
+    std::vector<double> way = {1}; // parts of that
+
+    void
+    declare(ParameterCatalogue &catalogue) override;
+
+    void
+    resolve() override;
+
+    void
+    check(const Parameters &parameters) const override;
+
+    /** Of plates that do not come as near as asked for where tows cross. */
+    std::vector<std::string>
+    notes(const Parameters &parameters) const override;
+  };
+
   /**
    * A periodic cell between two rigid plates, which come
    * together until they are at a distance or are pressed by a pressure, and go
@@ -18,6 +43,9 @@ namespace fiberloom
   class Compact : public Stage
   {
   public:
+    static StageType
+    type();
+
     explicit Compact(const Scene &scene);
 
     Supports
@@ -75,9 +103,9 @@ namespace fiberloom
     double
     last_distance(const std::vector<Placement> &start) const;
 
-    const CompactParameters &parameters;
-    const Way                turning;
-    double                   fiber_volume; // [mm^3]
+    const CompactSettings &settings;
+    const Way              turning;
+    double                 fiber_volume; // [mm^3]
   };
 } // namespace fiberloom
 

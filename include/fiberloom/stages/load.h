@@ -26,6 +26,9 @@ namespace fiberloom
   class Load : public Stage
   {
   public:
+    static StageType
+    type();
+
     /** Throws InputError where drives and fibers do not go together. */
     explicit Load(const Scene &scene);
 

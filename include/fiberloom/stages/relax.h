@@ -15,6 +15,9 @@ namespace fiberloom
   class Relax : public Stage
   {
   public:
+    static StageType
+    type();
+
     using Stage::Stage;
 
     Supports

@@ -8,12 +8,37 @@
 
 namespace fiberloom
 {
+  /** Section Shear of the parameter file. */
+  struct ShearSettings : public CopyableSettings<ShearSettings>
+  {
+    AngleSettings angle = {0.7};
+
+    void
+    declare(ParameterCatalogue &catalogue) override;
+
+    void
+    resolve() override
+    {}
+
+    void
+    check(const Parameters &parameters) const override;
+
+    bool
+    keeps_right_angles() const override
+    {
+      return angle.way.back() == 0;
+    }
+  };
+
   /** Section 6.3 of the paper: a frame of four hinged bars of constant length
    * along the borders, warp and fill turning by half the angle each. The bars
    * of a periodic cell are its periods. */
   class Shear : public AngleTest
   {
   public:
+    static StageType
+    type();
+
     explicit Shear(const Scene &scene);
 
     Supports

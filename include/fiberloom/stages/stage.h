@@ -4,6 +4,7 @@
 #ifndef fiberloom_stages_stage_h
 #define fiberloom_stages_stage_h
 
+#include <fiberloom/base/stage_type.h>
 #include <fiberloom/base/statistics.h>
 
 #include <fiberloom/contact/contact_element.h>
@@ -55,8 +56,8 @@ namespace fiberloom
   /**
    * One stage of a scene: which bodies hold what, where they go, and how
    * contact is generated, all as functions of a load that runs from 0 to 1.
-   * Stages share one state. To add a stage, derive from this and name it in
-   * create_stage().
+   * Stages share one state. To add a stage, derive from this, give it a type()
+   * and name that in stage_types.cc.
    */
   class Stage
   {
@@ -220,6 +221,14 @@ namespace fiberloom
   /** Throws InputError for an unknown name. */
   std::unique_ptr<Stage>
   create_stage(const std::string &name, const Scene &scene);
+
+  /** For StageType::create. */
+  template <class Type>
+  std::unique_ptr<Stage>
+  make(const Scene &scene)
+  {
+    return std::make_unique<Type>(scene);
+  }
 
   using IncrementObserver = std::function<void(const IncrementReport &)>;
 } // namespace fiberloom

@@ -16,6 +16,9 @@ namespace fiberloom
   class Stiffness : public Relax
   {
   public:
+    static StageType
+    type();
+
     using Relax::Relax;
 
     Supports

@@ -8,6 +8,8 @@
 
 namespace fiberloom
 {
+  class ParameterCatalogue;
+
   /**
    * The way of a test there and back: from 0 straight to one turning point
    * after the other, which are parts of the largest deformation. The load of
@@ -16,8 +18,20 @@ namespace fiberloom
   class Way
   {
   public:
-    /** @p turning_points as Parameters::check() allows them; a first one at 0
-     * is where the way begins anyway. */
+    /** Entry Way of the section of a test: turning points as parts of @p whole
+     * , such as "the largest strain", from @p lowest to 1. */
+    static void
+    declare(ParameterCatalogue  &catalogue,
+            std::vector<double> &turning_points,
+            const std::string   &whole,
+            const int            lowest);
+
+    /** Throws InputError where a leg leads nowhere; @p where begins it. */
+    static void
+    check(const std::vector<double> &turning_points, const std::string &where);
+
+    /** @p turning_points as check() allows them; a first one at 0 is where the
+     * way begins anyway. */
     explicit Way(const std::vector<double> &turning_points);
 
     /** Part of the largest deformation at @p load ; exact where it turns. */

@@ -18,6 +18,9 @@ namespace fiberloom
   class Weave : public Stage
   {
   public:
+    static StageType
+    type();
+
     explicit Weave(const Scene &scene);
 
     Supports

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
-#include <fiberloom/base/composite_declarations.h>
+#include <fiberloom/base/matrix_declarations.h>
 #include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
@@ -10,36 +10,13 @@ namespace fiberloom
   namespace
   {
     void
-    declare_turning(ParameterCatalogue &catalogue,
-                    double             &largest_angle,
-                    double             &first_step,
-                    double             &largest_step)
-    {
-      catalogue.add("Largest angle",
-                    largest_angle,
-                    "Angle at the end of the test, or where Way is 1 [rad].",
-                    Allowed::from_to(1e-9, 3));
-      catalogue.add(
-        "First step",
-        first_step,
-        "First increment of the angle, and of each leg of Way [rad]; "
-        "never more than the largest step.",
-        Allowed::from_to(1e-9, 1));
-      catalogue.add("Largest step",
-                    largest_step,
-                    "Largest increment of the angle [rad].",
-                    Allowed::from_to(1e-9, .26));
-    }
-
-    void
     declare_layers(ParameterCatalogue &catalogue, MatrixParameters &matrix)
     {
       catalogue.add("Layers",
                     matrix.layers,
                     "Where stage coat puts matrix: on the upper side, on the "
                     "lower one, on both, or filled, through the whole "
-                    "thickness in one body.",
-                    Allowed::one_of("none|upper|lower|both|filled"));
+                    "thickness in one body.");
       catalogue.add("Thickness",
                     matrix.thickness,
                     "Of a layer beyond the outermost skin of the fibers, where "
@@ -90,10 +67,7 @@ namespace fiberloom
   {
     catalogue.enter_section("Matrix");
     declare_layers(catalogue, matrix);
-    catalogue.add("Law",
-                  matrix.law,
-                  "Elastic law for large strains.",
-                  Allowed::one_of("Saint Venant-Kirchhoff|neo-Hooke"));
+    catalogue.add("Law", matrix.law, "Elastic law for large strains.");
     catalogue.add("Young modulus",
                   matrix.young_modulus,
                   "Young's modulus of the matrix [MPa].",
@@ -122,49 +96,4 @@ namespace fiberloom
 
 
 
-  void
-  declare_way(ParameterCatalogue  &catalogue,
-              std::vector<double> &way,
-              const std::string   &whole,
-              const int            lowest)
-  {
-    catalogue.add("Way",
-                  way,
-                  "Points between which the test goes to and fro, beginning at "
-                  "0, as parts of " +
-                    whole +
-                    ": 1, 0, 1, 0 are two cycles of loading and unloading.",
-                  Allowed::list_of(Allowed::from_to(lowest, 1), 1));
-  }
-
-
-
-  void
-  declare_shear(ParameterCatalogue &catalogue, ShearParameters &shear)
-  {
-    catalogue.enter_section("Shear");
-    declare_turning(catalogue,
-                    shear.largest_angle,
-                    shear.first_step,
-                    shear.largest_step);
-    declare_way(catalogue, shear.way, "the largest angle", -1);
-    catalogue.leave_section();
-  }
-
-  void
-  declare_bend(ParameterCatalogue &catalogue, BendParameters &bend)
-  {
-    catalogue.enter_section("Bending");
-    catalogue.add("Direction",
-                  bend.direction,
-                  "Family of tows that is bent: its two borders turn against "
-                  "each other.",
-                  Allowed::one_of("warp|fill"));
-    declare_turning(catalogue,
-                    bend.largest_angle,
-                    bend.first_step,
-                    bend.largest_step);
-    declare_way(catalogue, bend.way, "the largest angle", -1);
-    catalogue.leave_section();
-  }
 } // namespace fiberloom

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_base_choices_h
+#define fiberloom_base_choices_h
+
+#include <fiberloom/base/exceptions.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fiberloom
+{
+  /** The values of an entry that is one of a few, with their names there. */
+  template <class Choice>
+  using Choices = std::vector<std::pair<Choice, std::string>>;
+
+  /** Of each such type, in the order in which a user reads them. */
+  template <class Choice>
+  inline const Choices<Choice> choices;
+
+  template <class Choice>
+  const std::string &
+  name_of(const Choice choice)
+  {
+    return std::find_if(choices<Choice>.begin(),
+                        choices<Choice>.end(),
+                        [choice](const auto &known) {
+                          return known.first == choice;
+                        })
+      ->second;
+  }
+
+  /** Throws InputError where there is none of this name. */
+  template <class Choice>
+  Choice
+  choice_of(const std::string &name)
+  {
+    const auto known =
+      std::find_if(choices<Choice>.begin(),
+                   choices<Choice>.end(),
+                   [&name](const auto &known) { return known.second == name; });
+    if (known == choices<Choice>.end())
+      throw InputError("there is no choice \"" + name + "\"");
+    return known->first;
+  }
+
+  /** Of the axial force with the stretch. */
+  enum class AxialLaw
+  {
+    saint_venant_kirchhoff,
+    linear
+  };
+
+  template <>
+  inline const Choices<AxialLaw> choices<AxialLaw> = {
+    {AxialLaw::saint_venant_kirchhoff, "Saint Venant-Kirchhoff"},
+    {AxialLaw::linear, "linear"}};
+
+  /** Of fibers along one axis. */
+  enum class Arrangement
+  {
+    none,
+    bundle,
+    strand
+  };
+
+  template <>
+  inline const Choices<Arrangement> choices<Arrangement> = {
+    {Arrangement::none, "none"},
+    {Arrangement::bundle, "bundle"},
+    {Arrangement::strand, "strand"}};
+
+  /** What joins the points of a fiber. */
+  enum class Joining
+  {
+    automatic,
+    straight,
+    smooth
+  };
+
+  template <>
+  inline const Choices<Joining> choices<Joining> = {
+    {Joining::automatic, "automatic"},
+    {Joining::straight, "straight"},
+    {Joining::smooth, "smooth"}};
+
+  /** The shape of a fiber without stress. */
+  enum class StressFree
+  {
+    as_given,
+    straight
+  };
+
+  template <>
+  inline const Choices<StressFree> choices<StressFree> =
+    {{StressFree::as_given, "as given"}, {StressFree::straight, "straight"}};
+
+  /** How a drive holds the ends of fibers. */
+  enum class EndHold
+  {
+    clamped,
+    pinned,
+    centers
+  };
+
+  template <>
+  inline const Choices<EndHold> choices<EndHold> = {
+    {EndHold::clamped, "clamped"},
+    {EndHold::pinned, "pinned"},
+    {EndHold::centers, "centers"}};
+
+  /** Whether a fiber can touch itself. */
+  enum class SelfContact
+  {
+    automatic,
+    always,
+    never
+  };
+
+  template <>
+  inline const Choices<SelfContact> choices<SelfContact> = {
+    {SelfContact::automatic, "automatic"},
+    {SelfContact::always, "true"},
+    {SelfContact::never, "false"}};
+
+  /** How a fabric is woven. */
+  enum class WeavingPath
+  {
+    automatic,
+    nested
+  };
+
+  template <>
+  inline const Choices<WeavingPath> choices<WeavingPath> =
+    {{WeavingPath::automatic, "automatic"}, {WeavingPath::nested, "nested"}};
+
+  /** Along tows of a fabric. */
+  enum class Direction
+  {
+    warp,
+    fill
+  };
+
+  template <>
+  inline const Choices<Direction> choices<Direction> =
+    {{Direction::warp, "warp"}, {Direction::fill, "fill"}};
+
+  /** What becomes of the direction that does not lead. */
+  enum class OtherDirection
+  {
+    strained,
+    free
+  };
+
+  template <>
+  inline const Choices<OtherDirection> choices<OtherDirection> =
+    {{OtherDirection::strained, "strained"}, {OtherDirection::free, "free"}};
+
+  /** Where there is matrix. */
+  enum class Layers
+  {
+    none,
+    upper,
+    lower,
+    both,
+    filled
+  };
+
+  template <>
+  inline const Choices<Layers> choices<Layers> = {{Layers::none, "none"},
+                                                  {Layers::upper, "upper"},
+                                                  {Layers::lower, "lower"},
+                                                  {Layers::both, "both"},
+                                                  {Layers::filled, "filled"}};
+
+  /** Of a matrix at large strains. */
+  enum class MatrixLaw
+  {
+    saint_venant_kirchhoff,
+    neo_hooke
+  };
+
+  template <>
+  inline const Choices<MatrixLaw> choices<MatrixLaw> = {
+    {MatrixLaw::saint_venant_kirchhoff, "Saint Venant-Kirchhoff"},
+    {MatrixLaw::neo_hooke, "neo-Hooke"}};
+
+  /** How equilibrium is found where fibers touch. */
+  enum class Loops
+  {
+    newton,
+    nested
+  };
+
+  template <>
+  inline const Choices<Loops> choices<Loops> = {{Loops::newton, "newton"},
+                                                {Loops::nested, "nested"}};
+
+  /** What preconditions linear systems. */
+  enum class Preconditioning
+  {
+    automatic,
+    double_factor,
+    single_factor,
+    rigid_sections,
+    blocks,
+    multigrid
+  };
+
+  template <>
+  inline const Choices<Preconditioning> choices<Preconditioning> = {
+    {Preconditioning::automatic, "automatic"},
+    {Preconditioning::double_factor, "double factor"},
+    {Preconditioning::single_factor, "single factor"},
+    {Preconditioning::rigid_sections, "rigid sections"},
+    {Preconditioning::blocks, "blocks"},
+    {Preconditioning::multigrid, "multigrid"}};
+
+  /** Tows that a slice cuts along. */
+  enum class Slices
+  {
+    warp,
+    fill,
+    both,
+    none
+  };
+
+  template <>
+  inline const Choices<Slices> choices<Slices> = {{Slices::warp, "warp"},
+                                                  {Slices::fill, "fill"},
+                                                  {Slices::both, "both"},
+                                                  {Slices::none, "none"}};
+
+  /** A file for other programs. */
+  enum class Export
+  {
+    surface,
+    voxels,
+    abaqus,
+    paths,
+    texgen,
+    fibers
+  };
+
+  template <>
+  inline const Choices<Export> choices<Export> = {{Export::surface, "surface"},
+                                                  {Export::voxels, "voxels"},
+                                                  {Export::abaqus, "abaqus"},
+                                                  {Export::paths, "paths"},
+                                                  {Export::texgen, "texgen"},
+                                                  {Export::fibers, "fibers"}};
+} // namespace fiberloom
+
+#endif

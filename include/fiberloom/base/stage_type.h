@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_base_stage_type_h
+#define fiberloom_base_stage_type_h
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <typeinfo>
+#include <vector>
+
+namespace fiberloom
+{
+  class ParameterCatalogue;
+  class Stage;
+  struct Parameters;
+  struct Scene;
+
+  /** What the user sets of one type of stage: a section of the parameter file.
+   */
+  class StageSettings
+  {
+  public:
+    virtual ~StageSettings() = default;
+
+    virtual std::unique_ptr<StageSettings>
+    clone() const = 0;
+
+    virtual void
+    declare(ParameterCatalogue &catalogue) = 0;
+
+    /** Makes entries fit each other that a user need not fit. */
+    virtual void
+    resolve() = 0;
+
+    /** Throws InputError for what is wrong of them, whether or not @p
+     * parameters have such a stage. */
+    virtual void
+    check(const Parameters &parameters) const = 0;
+
+    /** What is no fault, but what the user should know. */
+    virtual std::vector<std::string>
+    notes(const Parameters & /*parameters*/) const
+    {
+      return {};
+    }
+
+    /** Whether the periods of a cell stay at right angles. */
+    virtual bool
+    keeps_right_angles() const
+    {
+      return true;
+    }
+  };
+
+  /** Settings that can be copied. */
+  template <class Settings>
+  class CopyableSettings : public StageSettings
+  {
+  public:
+    std::unique_ptr<StageSettings>
+    clone() const override
+    {
+      return std::make_unique<Settings>(static_cast<const Settings &>(*this));
+    }
+  };
+
+  /** For StageType::settings. */
+  template <class Settings>
+  std::unique_ptr<StageSettings>
+  make_settings()
+  {
+    return std::make_unique<Settings>();
+  }
+
+  /** A type of stage, as far as input is concerned. */
+  struct StageType
+  {
+    /** What it can be run on. */
+    enum class Sample
+    {
+      fibers, // any
+      fibers_with_ends,
+      fabric, // or cell
+      fabric_with_ends,
+      cell
+    };
+
+    std::string name;    // in the entry Stages
+    std::string summary; // what it does, in a few words after the name
+    Sample      sample;
+    std::function<std::unique_ptr<Stage>(const Scene &)> create;
+    std::function<std::unique_ptr<StageSettings>()>      settings; // or none
+
+    bool
+    needs_fabric() const
+    {
+      return sample != Sample::fibers && sample != Sample::fibers_with_ends;
+    }
+
+    bool
+    needs_ends() const
+    {
+      return sample == Sample::fibers_with_ends ||
+             sample == Sample::fabric_with_ends;
+    }
+
+    bool
+    needs_cell() const
+    {
+      return sample == Sample::cell;
+    }
+  };
+
+  /** All there are, in the order in which a user reads them; what lists them
+   * stands beside the stages. */
+  const std::vector<StageType> &
+  stage_types();
+
+  /** Throws InputError for an unknown name. */
+  const StageType &
+  stage_type(const std::string &name);
+
+  /** "weave, relax, coat": those for which @p is_meant . */
+  std::string
+  stage_names(const std::function<bool(const StageType &)> &is_meant =
+                [](const StageType &) { return true; });
+
+  /** The settings of all types that have some, at first the default ones.
+   * Copies are deep. */
+  class AllStageSettings
+  {
+  public:
+    AllStageSettings();
+
+    AllStageSettings(const AllStageSettings &other);
+
+    AllStageSettings &
+    operator=(const AllStageSettings &other);
+
+    template <class Settings>
+    Settings &
+    get()
+    {
+      for (const Item &item : items)
+        if (auto *settings = dynamic_cast<Settings *>(item.settings.get()))
+          return *settings;
+      throw std::bad_cast();
+    }
+
+    template <class Settings>
+    const Settings &
+    get() const
+    {
+      return const_cast<AllStageSettings *>(this)->get<Settings>();
+    }
+
+    /** Null where the type has none. */
+    const StageSettings *
+    find(const std::string &type) const;
+
+    void
+    declare(ParameterCatalogue &catalogue);
+
+    void
+    resolve();
+
+    void
+    check(const Parameters &parameters) const;
+
+    std::vector<std::string>
+    notes(const Parameters &parameters) const;
+
+  private:
+    struct Item
+    {
+      std::string                    type;
+      std::unique_ptr<StageSettings> settings;
+    };
+
+    std::vector<Item> items;
+  };
+} // namespace fiberloom
+
+#endif
