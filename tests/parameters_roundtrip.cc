@@ -39,7 +39,9 @@ survives_printing(const Parameters &parameters)
 {
   const std::string once = printed(parameters);
   std::ofstream("printed.prm") << once;
-  return printed(read("printed.prm")) == once;
+  const Parameters again = read("printed.prm");
+  return printed(again) == once &&
+         again.output.exports == parameters.output.exports;
 }
 
 /** Entries that do not follow a comment. */

@@ -79,7 +79,7 @@ namespace
     for (ContactElement &contact : ended.contacts)
       contact.slip_before = contact.slip;
     system.reinit(ended.contacts);
-    system.update_plates(ended.state, ended.state.q, {});
+    system.plates().update(ended.state, ended.state.q, {});
     const unsigned int n = system.layout().n_dofs();
 
     std::srand(7);

@@ -139,7 +139,7 @@ namespace
     for (const Placement &placement : state.placements)
       targets.bodies.push_back({placement});
     system.reinit(contacts);
-    system.update_plates(state, state.q, {});
+    system.plates().update(state, state.q, {});
     system.assemble_residual(state, targets, contacts);
     const double force = plate_stiffness * (depth - start / 2) * period;
     checks.below("force of the plates",
@@ -157,17 +157,17 @@ namespace
                    1,
                  1e-9);
     checks.below("what of it is lost",
-                 system.plate_dissipation(state) /
+                 system.plates().dissipation(state) /
                      (2 * .5 * force * (slip - elastic)) -
                    1,
                  1e-9);
-    const auto history = system.plate_history(state);
+    const auto history = system.plates().history(state);
     checks.below("slip to be regained",
                  history.at(0).slip[1] / elastic - 1,
                  1e-9);
-    system.update_plates(state, state.q, history);
+    system.plates().update(state, state.q, history);
     checks.below("no loss by what has slipped before",
-                 system.plate_dissipation(state) / force,
+                 system.plates().dissipation(state) / force,
                  1e-9);
   }
 

@@ -93,7 +93,4 @@ namespace fiberloom
                   Allowed::above(1));
     catalogue.leave_section();
   }
-
-
-
 } // namespace fiberloom

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/contact/contact_law.h>
-#include <fiberloom/contact/contact_potential.h>
 
 #include <fiberloom/model/system.h>
 
@@ -14,50 +13,10 @@ namespace fiberloom
   System::energy(const State                       &state,
                  const std::vector<ContactElement> &contacts) const
   {
-    double energy = 0;
-    for (unsigned int e = 0; e < mesh.n_elements(); ++e)
-      if (numbering.local_block(mesh.first_node(e)) >= 0)
-        energy +=
-          mesh.visit_element(e, state.fibers, [&](const BeamElement &element) {
-            return element.energy(mesh.element_dofs(state.q, e));
-          });
-    const DofVector q = mesh.with_images(state.q);
-    for (const ContactElement &contact : contacts)
-      if (numbering.local_block(original(contact.first_nodes[0])) >= 0)
-        {
-          const SectionPair x = section_pair(contact, q);
-          if (contact.following == ContactElement::Points::fixed)
-            energy += contact_energy(contact, x);
-          else
-            {
-              ContactElement moved = contact;
-              energy +=
-                normal_energy(moved, seen, q) + friction_energy(contact, x);
-            }
-        }
-    if (composite != nullptr)
-      energy += matrix_energy(state);
-    if (supports.plates)
-      energy += plate_energy(state);
+    double energy = contact_term.energy(state, contacts);
+    for (const auto &term : terms)
+      energy += term->energy(state);
     return dealii::Utilities::MPI::sum(energy, numbering.communicator());
-  }
-
-
-
-  double
-  System::matrix_energy(const State &state) const
-  {
-    const MatrixMesh     &matrix    = composite->matrix();
-    const Eigen::VectorXd positions = composite->positions(state.q);
-    double                energy    = 0;
-    for (unsigned int c = 0; c < matrix.n_cells(); ++c)
-      if (numbering.local_block(composite->first_node() +
-                                matrix.nodes(c).front()) >= 0)
-        energy += matrix.element(c).energy(matrix.cell_positions(positions, c));
-    for (const JunctionElement &junction : composite->junctions())
-      if (numbering.local_block(junction.fiber_nodes()[0]) >= 0)
-        energy += junction.energy(state.q, positions);
-    return energy;
   }
 
 
@@ -70,7 +29,18 @@ namespace fiberloom
     const DofVector q      = mesh.with_images(state.q);
     for (const ContactElement &contact : contacts)
       stored -= dissipated_energy(contact, section_pair(contact, q));
-    return stored - plate_dissipation(state);
+    return stored - dissipation(state);
+  }
+
+
+
+  double
+  System::dissipation(const State &state) const
+  {
+    double dissipation = 0;
+    for (const auto &term : terms)
+      dissipation += term->dissipation(state);
+    return dissipation;
   }
 
 

@@ -67,7 +67,7 @@ namespace fiberloom
   std::vector<double>
   System::free_residual() const
   {
-    std::vector<double> free = residual;
+    std::vector<double> free = sum.residual();
     for (unsigned int row = 0; row < numbering.owned_blocks().size(); ++row)
       {
         const unsigned int block = numbering.owned_blocks()[row];
@@ -132,7 +132,7 @@ namespace fiberloom
   double
   System::force_scale() const
   {
-    return largest_force;
+    return sum.largest_force();
   }
 
 

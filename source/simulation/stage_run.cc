@@ -431,10 +431,10 @@ namespace fiberloom
     ++state.increment;
     state.contact.history =
       friction_history(equilibrium.contacts(), scene.mesh.with_images());
-    state.contact.plates = system.plate_history(state);
+    state.contact.plates = system.plates().history(state);
     state.dissipation +=
       dissipation(equilibrium.contacts(), scene.mesh.with_images(state.q)) +
-      system.plate_dissipation(state);
+      system.dissipation(state);
 
     ++statistics.increments;
     statistics.searches += generator.n_searches() - counted_searches;

@@ -107,9 +107,9 @@ namespace fiberloom
   void
   Increment::update_plates(const State &state, const Problem &problem)
   {
-    system.update_plates(state,
-                         problem.before.q,
-                         problem.before.contact.plates);
+    system.plates().update(state,
+                           problem.before.q,
+                           problem.before.contact.plates);
   }
 
 

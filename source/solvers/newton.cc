@@ -629,7 +629,7 @@ namespace fiberloom
         {
           ScopedTimer timer(statistics.seconds.linear_solver);
           // Without friction all is in the energy, and what a correction
-          // leaves is the next one's.
+          // leaves is left to the next step.
           const double tolerance =
             problem.rule.friction ? forcing() : poor_model;
           if (!solver().solve_again({system.matrix(), defect, tolerance},

@@ -8,6 +8,8 @@
 #include <fiberloom/stages/biaxial.h>
 #include <fiberloom/stages/cell.h>
 
+#include <algorithm>
+
 namespace fiberloom
 {
   void

@@ -10,7 +10,7 @@ namespace fiberloom
   Stiffness::type()
   {
     return {"stiffness",
-            "finds its tangent stiffness",
+            "finds the tangent stiffness of a periodic cell",
             StageType::Sample::cell,
             &make<Stiffness>,
             {}};

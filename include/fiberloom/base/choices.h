@@ -19,7 +19,7 @@ namespace fiberloom
 
   /** Of each such type, in the order in which a user reads them. */
   template <class Choice>
-  inline const Choices<Choice> choices;
+  extern const Choices<Choice> choices;
 
   template <class Choice>
   const std::string &
@@ -38,13 +38,13 @@ namespace fiberloom
   Choice
   choice_of(const std::string &name)
   {
-    const auto known =
+    const auto found =
       std::find_if(choices<Choice>.begin(),
                    choices<Choice>.end(),
                    [&name](const auto &known) { return known.second == name; });
-    if (known == choices<Choice>.end())
+    if (found == choices<Choice>.end())
       throw InputError("there is no choice \"" + name + "\"");
-    return known->first;
+    return found->first;
   }
 
   /** Of the axial force with the stretch. */

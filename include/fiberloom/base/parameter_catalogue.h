@@ -235,8 +235,11 @@ namespace fiberloom
     else
       {
         using Choice = typename T::value_type;
-        Assert(member.empty(), dealii::ExcNotImplemented());
-        declare("",
+        static_assert(std::is_enum<Choice>::value);
+        std::string names;
+        for (const Choice choice : member)
+          names += (names.empty() ? "" : ", ") + name_of(choice);
+        declare(names,
                 Allowed::list_of(Allowed::one_of(choices<Choice>)),
                 [&member](const std::string &value) {
                   member.clear();

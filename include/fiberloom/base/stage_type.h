@@ -32,14 +32,15 @@ namespace fiberloom
 
     /** Makes entries fit each other that a user need not fit. */
     virtual void
-    resolve() = 0;
+    resolve()
+    {}
 
     /** Throws InputError for what is wrong of them, whether or not @p
      * parameters have such a stage. */
     virtual void
     check(const Parameters &parameters) const = 0;
 
-    /** What is no fault, but what the user should know. */
+    /** Of a fabric: what is no fault, but what the user should know. */
     virtual std::vector<std::string>
     notes(const Parameters & /*parameters*/) const
     {

@@ -17,9 +17,9 @@
 
 namespace fiberloom
 {
-  // What System adds up: groups of nodes with their part of the residual and of
-  // the tangent, block by block. Where all blocks have nine dofs, their types
-  // say so.
+  // What terms add to an Assembly: groups of nodes with their part of the
+  // residual and of the tangent, block by block. Where all blocks have nine
+  // dofs, their types say so.
 
   /** A beam element's contribution: blocks cut from its own matrices. */
   struct ElementGroup

@@ -11,8 +11,9 @@
 
 namespace fiberloom
 {
-  /** What a section that touches a plate adds to System: three nodes of its
-   * fiber, over which it is spread by weights, and the body of the plates. */
+  /** What a section that touches a plate adds to an Assembly: three nodes of
+   * its fiber, over which it is spread by weights, and the body of the plates.
+   */
   struct PlateGroup
   {
     std::array<unsigned int, 4> nodes;

@@ -4,15 +4,9 @@
 #ifndef fiberloom_model_system_h
 #define fiberloom_model_system_h
 
-#include <fiberloom/contact/contact_element.h>
-#include <fiberloom/contact/contact_potential.h>
-#include <fiberloom/contact/contact_state.h>
-#include <fiberloom/contact/plate_friction.h>
-
-#include <fiberloom/coupling/rigid_body.h>
-
-#include <fiberloom/model/block_matrix.h>
-#include <fiberloom/model/motion.h>
+#include <fiberloom/model/assembly.h>
+#include <fiberloom/model/contact_term.h>
+#include <fiberloom/model/plate_term.h>
 
 #include <array>
 #include <memory>
@@ -23,18 +17,12 @@ namespace fiberloom
   /** Rigid motions, the owned parts: three translations, three rotations. */
   using RigidModes = std::array<std::vector<double>, 6>;
 
-  struct JunctionGroup;
-  struct ContactGroup;
-  struct PotentialGroup;
-  struct PlateGroup;
-  struct PlateFrictionGroup;
-  class HeldGroup;
-
   /**
-   * The equations of one stage: fibers, contacts, rigid bodies and, where there
-   * is one, matrix with its junctions, with the nodes held by bodies
-   * eliminated. Each rank evaluates what touches the blocks it owns, so nothing
-   * is sent while assembling.
+   * The equations of one stage, with the nodes held by bodies eliminated: the
+   * sum of its terms, which are fibers, matrix and junctions where there are
+   * some, plates and contacts, and of the loads on nodes and bodies. Each rank
+   * evaluates what touches the blocks it owns, so nothing is sent while
+   * assembling.
    *
    * Unknowns are increments: of a free node its nine dofs, of a held node the
    * components along its attachment's frame, of a body the displacement of
@@ -49,7 +37,7 @@ namespace fiberloom
            MPI_Comm         comm,
            const Composite *composite = nullptr);
 
-    /** Sets the pattern for elements and @p contacts . */
+    /** Sets the pattern for terms and @p contacts . */
     void
     reinit(const std::vector<ContactElement> &contacts);
 
@@ -82,34 +70,22 @@ namespace fiberloom
       curvature = of_energy;
     }
 
-    /** Friction on plates, if there are some: particles and limits from @p
-     * state , slip from what @p history is of, when fibers were at @p q_before
-     * . */
-    void
-    update_plates(const State                     &state,
-                  const DofVector                 &q_before,
-                  const std::vector<PlateHistory> &history);
-
-    /** As update_plates() has set it; empty where there is none. */
-    const std::vector<PlateFriction> &
-    plate_friction() const
-    {
-      return friction_on_plates;
-    }
-
-    void
-    set_plate_friction(const std::vector<PlateFriction> &friction)
-    {
-      friction_on_plates = friction;
-    }
-
-    /** What plates have to remember of an increment that ends at @p state . */
-    std::vector<PlateHistory>
-    plate_history(const State &state) const;
-
-    /** By friction on plates in the increment that ends at @p state [N mm]. */
+    /** Lost by terms in the increment that ends at @p state [N mm]. */
     double
-    plate_dissipation(const State &state) const;
+    dissipation(const State &state) const;
+
+    /** Contact with plates, which have friction of their own. */
+    PlateTerm &
+    plates()
+    {
+      return *plate_term;
+    }
+
+    const PlateTerm &
+    plates() const
+    {
+      return *plate_term;
+    }
 
     /** Residual alone. */
     void
@@ -117,8 +93,7 @@ namespace fiberloom
                       const Targets               &targets,
                       std::vector<ContactElement> &contacts);
 
-    /** Potential of fibers, contacts, matrix and junctions [N mm], summed over
-     * the ranks. */
+    /** Potential of terms and contacts [N mm], summed over the ranks. */
     double
     energy(const State                       &state,
            const std::vector<ContactElement> &contacts) const;
@@ -151,8 +126,8 @@ namespace fiberloom
     unsigned int
     most_unbalanced() const;
 
-    /** Largest force inside a fiber element or from outside, a scale for the
-     * residual [N]. */
+    /** Largest force inside an element or a cell or from outside, a scale for
+     * the residual [N]. */
     double
     force_scale() const;
 
@@ -226,91 +201,19 @@ namespace fiberloom
     }
 
   private:
-    template <bool with_tangent>
     void
     assemble_all(const State                 &state,
                  const Targets               &targets,
-                 std::vector<ContactElement> &contacts);
+                 std::vector<ContactElement> &contacts,
+                 const bool                   with_tangent);
 
-    /** Of one whose points follow the fibers. */
-    template <bool with_tangent>
+    /** Of all but contacts. */
     void
-    add_contact(const State     &state,
-                const DofVector &q, // of all that is seen
-                ContactElement  &contact,
-                PotentialGroup  &normal);
+    set_fixed_pattern();
 
+    /** What bodies have to exert, from the residual without loads on them. */
     void
-    couple_limit(const State          &state,
-                 const ContactElement &contact,
-                 const ContactGroup   &friction,
-                 const PotentialGroup &normal);
-
-    /** Adds the product of two vectors, given as forces of the same nodes, to
-     * products of the tangent. */
-    void
-    add_product(const State &state, HeldGroup &rows, HeldGroup &columns);
-
-    template <bool with_tangent>
-    void
-    add_matrix(const State &state);
-
-    template <bool with_tangent>
-    void
-    add_junctions(const State &state);
-
-    template <bool with_tangent>
-    void
-    scatter_diagonals(const JunctionGroup &group);
-
-    double
-    matrix_energy(const State &state) const;
-
-    template <bool with_tangent>
-    void
-    add_plates(const State &state);
-
-    /** This rank's part. */
-    double
-    plate_energy(const State &state) const;
-
-    template <bool with_tangent>
-    void
-    add_plate_friction(const State &state, const PlateGroup &group);
-
-    void
-    couple_plate_limit(const State              &state,
-                       const PlateGroup         &normal,
-                       const PlateFrictionGroup &friction);
-
-    /** Calls @p visit with contact, heights and group of each section and each
-     * plate. */
-    template <class Visitor>
-    void
-    visit_plate_stations(const State &state, const Visitor &visit) const;
-
-    void
-    set_element_pattern();
-
-    /** @p images : what the nodes of @p group are images of; empty where they
-     * are nodes of the system. So for touches_owned(). */
-    template <bool with_tangent, class Group>
-    void
-    scatter(const State                  &state,
-            const Group                  &group,
-            const std::vector<NodeImage> &images = {});
-
-    /** Of a node that contact sees. */
-    unsigned int
-    original(const unsigned int node) const
-    {
-      return seen_nodes.empty() ? node : seen_nodes[node].node;
-    }
-
-    bool
-    touches_owned(const unsigned int           *nodes,
-                  const unsigned int            n,
-                  const std::vector<NodeImage> &images = {}) const;
+    sum_reactions();
 
     /** Largest unbalanced force of each owned block [N]. */
     std::vector<double>
@@ -319,35 +222,34 @@ namespace fiberloom
     void
     eliminate_fixed(const std::vector<double> &increments);
 
-    template <bool with_tangent>
     void
-    add_node_forces(const State &state, const Targets &targets);
+    add_node_forces(const Targets &targets);
 
-    template <bool with_tangent>
     void
     add_body_loads(const Targets &targets);
 
     const FiberMesh              &mesh;
-    const FiberMesh              &seen; // by contact
-    const std::vector<NodeImage>  seen_nodes;
     const Supports               &supports;
     const Composite              *composite; // or null
     const std::vector<NodeImage> &originals;
     BlockLayout                   numbering;
     Motion                        movement;
     BlockMatrix                   system_matrix;
+    Assembly                      sum;
+
+    // Contacts, which come and go, are apart from those that stay.
+    std::vector<std::unique_ptr<Term>> terms;
+    PlateTerm                         *plate_term; // among these
+    ContactTerm                        contact_term;
 
     double                                 stiffness;
     Curvature                              curvature = Curvature::exact;
-    std::vector<std::vector<unsigned int>> element_pattern; // owned rows
+    std::vector<std::vector<unsigned int>> fixed_pattern; // owned rows
 
-    std::vector<double>        residual; // owned dofs
-    std::vector<double>        rhs;
-    std::vector<BodyVector>    body_reactions;
-    std::vector<PlateFriction> friction_on_plates; // each section and plate
-    double                     rounding      = 0;
-    double                     largest_force = 0;
-    std::vector<double> pending; // prescribed increments, by dof of bodies
+    std::vector<double>     rhs; // owned dofs
+    std::vector<BodyVector> body_reactions;
+    double                  rounding = 0;
+    std::vector<double>     pending; // prescribed increments, by dof of bodies
     std::unique_ptr<Epetra_Map>    owned_map, everything;
     std::unique_ptr<Epetra_Import> importer;
   };

@@ -92,14 +92,14 @@ namespace fiberloom
     Contacts
     all_contacts() const
     {
-      return {contacts, system.plate_friction()};
+      return {contacts, system.plates().friction()};
     }
 
     void
     take_back(const Contacts &kept)
     {
       contacts = kept.of_fibers;
-      system.set_plate_friction(kept.on_plates);
+      system.plates().set_friction(kept.on_plates);
     }
 
     const FiberMesh            &mesh;

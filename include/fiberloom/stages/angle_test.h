@@ -13,14 +13,20 @@ namespace fiberloom
   /** Entries of a test by an angle. */
   struct AngleSettings
   {
-    double largest_angle;       // [rad]
-    double first_step   = 0.05; // of the angle [rad]
-    double largest_step = 0.05; // of the angle [rad]
+    double largest_angle = 1;    // [rad]
+    double first_step    = 0.05; // of the angle [rad]
+    double largest_step  = 0.05; // of the angle [rad]
 
     std::vector<double> way = {1}; // parts of the largest angle
 
     void
     declare(ParameterCatalogue &catalogue);
+
+    void
+    resolve()
+    {
+      first_step = std::min(first_step, largest_step);
+    }
   };
 
 
@@ -47,8 +53,7 @@ namespace fiberloom
     double
     first_step(const State &) const override
     {
-      return std::min(angles.first_step, angles.largest_step) /
-             (angles.largest_angle * turning.length());
+      return angles.first_step / (angles.largest_angle * turning.length());
     }
 
     double

@@ -92,10 +92,10 @@ namespace fiberloom
     double
     free_strain(const unsigned int direction, const State &state) const;
 
-    const BiaxialSettings &settings;
-    const Way              turning;
-    double                 warp_strain, fill_strain; // the largest
-    std::bitset<2>         free;                     // warp or fill
+    const BiaxialSettings settings;
+    const Way             turning;
+    double                warp_strain, fill_strain; // the largest
+    std::bitset<2>        free;                     // warp or fill
   };
 } // namespace fiberloom
 

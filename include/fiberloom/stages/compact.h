@@ -103,9 +103,9 @@ namespace fiberloom
     double
     last_distance(const std::vector<Placement> &start) const;
 
-    const CompactSettings &settings;
-    const Way              turning;
-    double                 fiber_volume; // [mm^3]
+    const CompactSettings settings;
+    const Way             turning;
+    double                fiber_volume; // [mm^3]
   };
 } // namespace fiberloom
 

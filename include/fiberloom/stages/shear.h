@@ -18,7 +18,9 @@ namespace fiberloom
 
     void
     resolve() override
-    {}
+    {
+      angle.resolve();
+    }
 
     void
     check(const Parameters &parameters) const override;

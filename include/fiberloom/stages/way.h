@@ -4,6 +4,7 @@
 #ifndef fiberloom_stages_way_h
 #define fiberloom_stages_way_h
 
+#include <string>
 #include <vector>
 
 namespace fiberloom

@@ -4,7 +4,7 @@
 #include <fiberloom/contact/contact_law.h>
 
 #include <fiberloom/model/plate_group.h>
-#include <fiberloom/model/scatter.h>
+#include <fiberloom/model/plate_term.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +56,7 @@ namespace fiberloom
 
   template <class Visitor>
   void
-  System::visit_plate_stations(const State &state, const Visitor &visit) const
+  PlateTerm::visit_stations(const State &state, const Visitor &visit) const
   {
     const Plates &plates = *supports.plates;
     const Vector3 place  = state.placements[plates.body].position;
@@ -68,7 +68,7 @@ namespace fiberloom
         const auto        &line = mesh.lines()[group.fiber];
         const unsigned int node = mesh.first_node(e);
         group.nodes             = {
-                      {node, node + 1, node + 2, numbering.body_block(plates.body)}};
+                      {node, node + 1, node + 2, layout.body_block(plates.body)}};
         for (unsigned int k = 0; k < plates.stations_per_element; ++k)
           {
             const double along = (k + .5) / plates.stations_per_element;
@@ -95,69 +95,88 @@ namespace fiberloom
 
 
 
-  template <bool with_tangent>
   void
-  System::add_plates(const State &state)
+  PlateTerm::visit_couplings(
+    const std::function<void(std::vector<unsigned int>)> &couple) const
   {
-    const Plates &plates = *supports.plates;
-    visit_plate_stations(
+    if (!supports.plates)
+      return;
+    const unsigned int body = layout.body_block(supports.plates->body);
+    for (unsigned int e = 0; e < mesh.n_elements(); ++e)
+      {
+        const unsigned int n = mesh.first_node(e);
+        couple({n, n + 1, n + 2, body});
+      }
+  }
+
+
+
+  double
+  PlateTerm::spring() const
+  {
+    return supports.plates->spring * mesh.smallest_stiffness();
+  }
+
+
+
+  void
+  PlateTerm::add(const State &state, Assembly &sum) const
+  {
+    if (!supports.plates)
+      return;
+    visit_stations(
       state,
       [&](const PlateContact          &contact,
           const PlateContact::Heights &x,
           PlateGroup                  &group) {
-        if (!touches_owned(group.nodes.data(), 4, mesh.originals()))
+        if (!sum.touches_owned(group.nodes.data(), 4, mesh.originals()))
           return;
         if (contact.evaluate(x,
                              group.gradient,
-                             with_tangent ? &group.hessian : nullptr))
-          scatter<with_tangent>(state, group, mesh.originals());
+                             sum.with_tangent() ? &group.hessian : nullptr))
+          sum.scatter(group, mesh.originals());
         else
           group.gradient.setZero();
-        add_plate_friction<with_tangent>(state, group);
+        add_friction(group, sum);
       });
-    const unsigned int block = numbering.body_block(plates.body);
-    const int          local = numbering.local_block(block);
+    const unsigned int body  = supports.plates->body;
+    const unsigned int block = layout.body_block(body);
+    const int          local = layout.local_block(block);
     if (local < 0)
       return;
-    const double spring = plates.spring * stiffness;
-    residual[numbering.local_first_dof(local) + 2] +=
-      spring * state.placements[plates.body].position.z();
-    if constexpr (with_tangent)
-      system_matrix.block(block, block)[6 * 2 + 2] += spring;
+    sum.forces(local)[2] += spring() * state.placements[body].position.z();
+    if (sum.with_tangent())
+      sum.matrix.block(block, block)[6 * 2 + 2] += spring();
   }
 
 
 
-  template <bool with_tangent>
   void
-  System::add_plate_friction(const State &state, const PlateGroup &normal)
+  PlateTerm::add_friction(const PlateGroup &normal, Assembly &sum) const
   {
-    if (friction_on_plates.empty() ||
-        !(friction_on_plates[normal.number].limit > 0))
+    if (frictions.empty() || !(frictions[normal.number].limit > 0))
       return;
     PlateFrictionGroup group(normal);
-    friction_on_plates[normal.number].evaluate(
-      normal.section, group.gradient, with_tangent ? &group.hessian : nullptr);
-    scatter<with_tangent>(state, group, mesh.originals());
-    if (with_tangent && !normal.gradient.isZero(0))
-      couple_plate_limit(state, normal, group);
+    frictions[normal.number].evaluate(normal.section,
+                                      group.gradient,
+                                      sum.with_tangent() ? &group.hessian :
+                                                           nullptr);
+    sum.scatter(group, mesh.originals());
+    if (sum.with_tangent() && !normal.gradient.isZero(0))
+      couple_limit(normal, group, sum);
   }
 
 
 
   void
-  System::couple_plate_limit(const State              &state,
-                             const PlateGroup         &normal,
-                             const PlateFrictionGroup &friction)
+  PlateTerm::couple_limit(const PlateGroup         &normal,
+                          const PlateFrictionGroup &friction,
+                          Assembly                 &sum) const
   {
-    const PlateFriction &law = friction_on_plates[normal.number];
-    HeldGroup            rows(normal.nodes.data(),
-                   normal.nodes.size(),
-                   movement.attachments(),
-                   supports,
-                   numbering,
-                   mesh.originals()),
-      columns(rows);
+    const PlateFriction &law = frictions[normal.number];
+    HeldGroup rows = sum.held_group({normal.nodes.begin(), normal.nodes.end()},
+                                    mesh.originals());
+    HeldGroup columns(rows);
     // The force is the slope of the energy by the gap, and the gap changes with
     // the height of the centre as much as it moves.
     PlateGroup slope = normal;
@@ -171,20 +190,20 @@ namespace fiberloom
         columns.set_force(a,
                           law.limit / law.normal_force_before * slope.force(a));
       }
-    add_product(state, rows, columns);
+    sum.add_product(rows, columns);
   }
 
 
 
   void
-  System::update_plates(const State                     &state,
-                        const DofVector                 &q_before,
-                        const std::vector<PlateHistory> &history)
+  PlateTerm::update(const State                     &state,
+                    const DofVector                 &q_before,
+                    const std::vector<PlateHistory> &history)
   {
     if (!supports.plates || !(supports.plates->friction_coefficient > 0))
       return;
-    friction_on_plates.clear();
-    visit_plate_stations(
+    frictions.clear();
+    visit_stations(
       state,
       [&](const PlateContact          &contact,
           const PlateContact::Heights &x,
@@ -202,23 +221,23 @@ namespace fiberloom
         if (const PlateHistory *entry =
               nearest_history(history, group, contact.upper))
           friction.origin -= Eigen::Vector2d(entry->slip[0], entry->slip[1]);
-        friction_on_plates.push_back(friction);
+        frictions.push_back(friction);
       });
   }
 
 
 
   std::vector<PlateHistory>
-  System::plate_history(const State &state) const
+  PlateTerm::history(const State &state) const
   {
     std::vector<PlateHistory> history;
-    if (!friction_on_plates.empty())
-      visit_plate_stations(
+    if (!frictions.empty())
+      visit_stations(
         state,
         [&](const PlateContact          &contact,
             const PlateContact::Heights &x,
             const PlateGroup            &group) {
-          const PlateFriction &friction = friction_on_plates[group.number];
+          const PlateFriction &friction = frictions[group.number];
           if (!(friction.limit > 0) || contact.gap(x) >= 0)
             return;
           const Eigen::Vector2d slip = friction.reversible_slip(group.section);
@@ -231,49 +250,43 @@ namespace fiberloom
 
 
   double
-  System::plate_dissipation(const State &state) const
+  PlateTerm::dissipation(const State &state) const
   {
     double sum = 0;
-    if (!friction_on_plates.empty())
-      visit_plate_stations(
-        state,
-        [&](const PlateContact &,
-            const PlateContact::Heights &,
-            const PlateGroup &group) {
-          sum +=
-            friction_on_plates[group.number].dissipated_energy(group.section);
-        });
+    if (!frictions.empty())
+      visit_stations(state,
+                     [&](const PlateContact &,
+                         const PlateContact::Heights &,
+                         const PlateGroup &group) {
+                       sum += frictions[group.number].dissipated_energy(
+                         group.section);
+                     });
     return sum;
   }
 
 
 
   double
-  System::plate_energy(const State &state) const
+  PlateTerm::energy(const State &state) const
   {
+    if (!supports.plates)
+      return 0;
     double energy = 0;
-    visit_plate_stations(
-      state,
-      [&](const PlateContact          &contact,
-          const PlateContact::Heights &x,
-          const PlateGroup            &group) {
-        if (numbering.local_block(group.nodes[0]) < 0)
-          return;
-        energy += contact.energy(x);
-        if (!friction_on_plates.empty())
-          energy += friction_on_plates[group.number].law(group.section).energy;
-      });
+    visit_stations(state,
+                   [&](const PlateContact          &contact,
+                       const PlateContact::Heights &x,
+                       const PlateGroup            &group) {
+                     if (layout.local_block(group.nodes[0]) < 0)
+                       return;
+                     energy += contact.energy(x);
+                     if (!frictions.empty())
+                       energy +=
+                         frictions[group.number].law(group.section).energy;
+                   });
     const Plates &plates = *supports.plates;
     const double  middle = state.placements[plates.body].position.z();
-    if (numbering.local_block(numbering.body_block(plates.body)) >= 0)
-      energy += .5 * plates.spring * stiffness * middle * middle;
+    if (layout.local_block(layout.body_block(plates.body)) >= 0)
+      energy += .5 * spring() * middle * middle;
     return energy;
   }
-
-
-
-  template void
-  System::add_plates<true>(const State &state);
-  template void
-  System::add_plates<false>(const State &state);
 } // namespace fiberloom

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_model_assembly_h
+#define fiberloom_model_assembly_h
+
+#include <fiberloom/beams/beam_element.h>
+
+#include <fiberloom/model/block_matrix.h>
+#include <fiberloom/model/held_nodes.h>
+#include <fiberloom/model/motion.h>
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+#include <vector>
+
+namespace fiberloom
+{
+  /**
+   * Where the terms of a system add up: residual and, if asked for, tangent of
+   * the blocks that this rank owns. What a term adds are groups of nodes with
+   * forces and stiffnesses; those of nodes that bodies hold, or that are images
+   * of others, go where they belong. All arguments are kept by reference.
+   */
+  class Assembly
+  {
+  public:
+    Assembly(const Motion      &motion,
+             const Supports    &supports,
+             const BlockLayout &layout,
+             BlockMatrix       &matrix);
+
+    /** From zero, with the tangent if that is to be added as well, at @p state
+     * , which has to stay until all is added. @p curvature : of fibers, and of
+     * contacts whose points follow them. */
+    void
+    begin(const State    &state,
+          const bool      with_tangent,
+          const Curvature curvature);
+
+    /** To what is there, the tangent included; @p state as in begin(). */
+    void
+    go_on(const State &state)
+    {
+      this->state  = &state;
+      adds_tangent = true;
+    }
+
+    bool
+    with_tangent() const
+    {
+      return adds_tangent;
+    }
+
+    Curvature
+    curvature() const
+    {
+      return curvature_of_energy;
+    }
+
+    /** @p images : what the nodes are images of; empty where they are nodes of
+     * the system. So for scatter(). */
+    bool
+    touches_owned(const unsigned int           *nodes,
+                  const unsigned int            n,
+                  const std::vector<NodeImage> &images = {}) const;
+
+    /** Adds nodes, force(a) and stiffness(a, b) of @p group . */
+    template <class Group>
+    void
+    scatter(const Group &group, const std::vector<NodeImage> &images = {});
+
+    /** For add_product(). */
+    HeldGroup
+    held_group(const std::vector<unsigned int> &nodes,
+               const std::vector<NodeImage>    &images) const;
+
+    /** Adds the product of two vectors, given as forces of the same nodes, to
+     * products of the tangent. */
+    void
+    add_product(HeldGroup &rows, HeldGroup &columns);
+
+    /** Forces of an owned block, for what adds without a group. */
+    double *
+    forces(const unsigned int local_block)
+    {
+      return sum.data() + layout.local_first_dof(local_block);
+    }
+
+    /** Notes a force inside an element or from outside [N]. */
+    void
+    note_force(const double force)
+    {
+      largest = std::max(largest, force);
+    }
+
+    /** Of those that were noted. */
+    double
+    largest_force() const
+    {
+      return largest;
+    }
+
+    /** From here on the largest of all ranks. */
+    void
+    reduce_largest_force();
+
+    /** Owned dofs. */
+    const std::vector<double> &
+    residual() const
+    {
+      return sum;
+    }
+
+    void
+    swap_residual(std::vector<double> &other)
+    {
+      sum.swap(other);
+    }
+
+    const Motion      &motion;
+    const BlockLayout &layout;
+    BlockMatrix       &matrix;
+
+  private:
+    const Supports     &supports;
+    const State        *state               = nullptr;
+    bool                adds_tangent        = false;
+    Curvature           curvature_of_energy = Curvature::exact;
+    std::vector<double> sum; // of residuals, the owned dofs
+    double              largest = 0;
+
+    template <class Group>
+    void
+    scatter_held(const Group &group, const std::vector<NodeImage> &images);
+  };
+
+
+
+  template <class Group>
+  void
+  Assembly::scatter_held(const Group                  &group,
+                         const std::vector<NodeImage> &images)
+  {
+    using Block =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const unsigned int n_nodes = group.nodes.size();
+    HeldGroup          transformed(group.nodes.data(),
+                          n_nodes,
+                          motion.attachments(),
+                          supports,
+                          layout,
+                          images);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      transformed.set_force(a, group.force(a));
+    if (adds_tangent)
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        for (unsigned int b = 0; b < n_nodes; ++b)
+          transformed.set_stiffness(a, b, group.stiffness(a, b));
+    transformed.transform(state->q, state->placements, adds_tangent);
+
+    for (unsigned int a = 0; a < transformed.n_blocks(); ++a)
+      {
+        const unsigned int row   = transformed.block(a);
+        const int          local = layout.local_block(row);
+        if (local < 0)
+          continue;
+        Eigen::Map<Eigen::VectorXd>(forces(local), layout.size(row)) +=
+          transformed.force(a);
+        if (adds_tangent)
+          for (unsigned int b = 0; b < transformed.n_blocks(); ++b)
+            Eigen::Map<Block>(matrix.block(row, transformed.block(b)),
+                              layout.size(row),
+                              layout.size(transformed.block(b))) +=
+              transformed.stiffness(a, b);
+      }
+  }
+
+
+
+  template <class Group>
+  void
+  Assembly::scatter(const Group &group, const std::vector<NodeImage> &images)
+  {
+    // Blocks of nine where the group knows that it has no others.
+    constexpr int n_fixed =
+      std::decay_t<decltype(group.force(0))>::RowsAtCompileTime;
+    using Force = Eigen::Matrix<double, n_fixed, 1>;
+    using Block = Eigen::Matrix<double, n_fixed, n_fixed, Eigen::RowMajor>;
+
+    const auto original = [&images](const unsigned int node) {
+      return node < images.size() ? images[node].node : node;
+    };
+    const bool held =
+      std::any_of(group.nodes.begin(),
+                  group.nodes.end(),
+                  [&](const unsigned int node) {
+                    return motion.attachment(original(node)) >= 0 ||
+                           (node < images.size() &&
+                            images[node].periods != std::array<int, 2>());
+                  });
+    if (held)
+      {
+        scatter_held(group, images);
+        return;
+      }
+    for (unsigned int a = 0; a < group.nodes.size(); ++a)
+      {
+        const unsigned int row   = original(group.nodes[a]);
+        const int          local = layout.local_block(row);
+        if (local < 0)
+          continue;
+        Eigen::Map<Force>(forces(local), layout.size(row)) += group.force(a);
+        if (adds_tangent)
+          for (unsigned int b = 0; b < group.nodes.size(); ++b)
+            {
+              const unsigned int column = original(group.nodes[b]);
+              Eigen::Map<Block>(matrix.block(row, column),
+                                layout.size(row),
+                                layout.size(column)) += group.stiffness(a, b);
+            }
+      }
+  }
+} // namespace fiberloom
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the fiberloom authors
+
+#ifndef fiberloom_model_term_h
+#define fiberloom_model_term_h
+
+#include <fiberloom/model/assembly.h>
+
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace fiberloom
+{
+  /** A part of the potential of a system, as of its fibers or of plates. */
+  class Term
+  {
+  public:
+    virtual ~Term() = default;
+
+    /** Calls @p couple with the blocks of each group of nodes that it couples,
+     * of all ranks. */
+    virtual void
+    visit_couplings(
+      const std::function<void(std::vector<unsigned int>)> &couple) const = 0;
+
+    /** Its gradient and, if asked for, its Hessian, as far as they touch
+     * owned blocks. */
+    virtual void
+    add(const State &state, Assembly &sum) const = 0;
+
+    /** This rank's part [N mm]. */
+    virtual double
+    energy(const State &state) const = 0;
+
+    /** Lost in the increment that ends at @p state , on any rank that of all
+     * [N mm]. */
+    virtual double
+    dissipation(const State & /*state*/) const
+    {
+      return 0;
+    }
+
+    /** What rounding of the positions makes of its forces [N]. */
+    virtual double
+    rounding() const
+    {
+      return 0;
+    }
+
+  protected:
+    // Of a force, over stiffness and place.
+    static constexpr double rounding_errors =
+      10 * std::numeric_limits<double>::epsilon();
+  };
+} // namespace fiberloom
+
+#endif
