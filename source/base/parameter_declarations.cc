@@ -386,13 +386,14 @@ namespace fiberloom
                   output_directory,
                   "Where everything is written; created if absent.",
                   Allowed::text_like("a directory"));
-    std::string summaries;
-    for (const StageType &type : stage_types())
-      summaries +=
-        (summaries.empty() ? "" : ", ") + type.name + " " + type.summary;
+    std::string              summaries;
     std::vector<std::string> names;
     for (const StageType &type : stage_types())
-      names.push_back(type.name);
+      {
+        names.push_back(type.name);
+        summaries +=
+          (summaries.empty() ? "" : ", ") + type.name + " " + type.summary;
+      }
     catalogue.add("Stages",
                   stages,
                   "What is done, in this order: " + summaries + ".",

@@ -20,11 +20,13 @@ namespace fiberloom
 
 
   void
-  CellTerm::visit_couplings(
-    const std::function<void(std::vector<unsigned int>)> &couple) const
+  CellTerm::visit_couplings(const CouplingVisitor &couple) const
   {
     for (unsigned int c = 0; c < composite.matrix().n_cells(); ++c)
-      couple(nodes_of_cell(composite, c));
+      {
+        auto blocks = nodes_of_cell(composite, c);
+        couple(blocks);
+      }
   }
 
 
@@ -63,8 +65,7 @@ namespace fiberloom
     const Eigen::VectorXd positions = composite.positions(state.q);
     double                energy    = 0;
     for (unsigned int c = 0; c < matrix.n_cells(); ++c)
-      if (layout.local_block(composite.first_node() +
-                             matrix.nodes(c).front()) >= 0)
+      if (owns(composite.first_node() + matrix.nodes(c).front()))
         energy += matrix.element(c).energy(matrix.cell_positions(positions, c));
     return energy;
   }
@@ -83,11 +84,13 @@ namespace fiberloom
 
 
   void
-  JunctionTerm::visit_couplings(
-    const std::function<void(std::vector<unsigned int>)> &couple) const
+  JunctionTerm::visit_couplings(const CouplingVisitor &couple) const
   {
     for (const JunctionElement &junction : composite.junctions())
-      couple(nodes_of_junction(composite, junction));
+      {
+        auto blocks = nodes_of_junction(composite, junction);
+        couple(blocks);
+      }
   }
 
 
@@ -102,14 +105,7 @@ namespace fiberloom
                                group.nodes.size(),
                                composite.originals()))
           continue;
-        const bool held =
-          std::any_of(group.nodes.begin(),
-                      group.nodes.end(),
-                      [&sum](const unsigned int node) {
-                        return sum.motion.attachment(node) >= 0 ||
-                               sum.motion.is_image(node);
-                      });
-        if (held)
+        if (sum.is_held(group.nodes, composite.originals()))
           sum.scatter(group, composite.originals());
         else
           scatter_diagonals(group, sum);
@@ -152,7 +148,7 @@ namespace fiberloom
     const Eigen::VectorXd positions = composite.positions(state.q);
     double                energy    = 0;
     for (const JunctionElement &junction : composite.junctions())
-      if (layout.local_block(junction.fiber_nodes()[0]) >= 0)
+      if (owns(junction.fiber_nodes()[0]))
         energy += junction.energy(state.q, positions);
     return energy;
   }

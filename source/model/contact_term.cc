@@ -47,9 +47,8 @@ namespace fiberloom
 
 
   void
-  ContactTerm::visit_couplings(
-    const std::vector<ContactElement>                    &contacts,
-    const std::function<void(std::vector<unsigned int>)> &couple) const
+  ContactTerm::visit_couplings(const std::vector<ContactElement> &contacts,
+                               const CouplingVisitor             &couple) const
   {
     std::vector<unsigned int> blocks;
     for (const ContactElement &contact : contacts)

@@ -19,13 +19,14 @@ namespace fiberloom
 
 
   void
-  FiberTerm::visit_couplings(
-    const std::function<void(std::vector<unsigned int>)> &couple) const
+  FiberTerm::visit_couplings(const CouplingVisitor &couple) const
   {
+    std::vector<unsigned int> blocks;
     for (unsigned int e = 0; e < mesh.n_elements(); ++e)
       {
         const unsigned int n = mesh.first_node(e);
-        couple({n, n + 1, n + 2});
+        blocks               = {n, n + 1, n + 2};
+        couple(blocks);
       }
   }
 
@@ -63,7 +64,7 @@ namespace fiberloom
   {
     double energy = 0;
     for (unsigned int e = 0; e < mesh.n_elements(); ++e)
-      if (layout.local_block(mesh.first_node(e)) >= 0)
+      if (owns(mesh.first_node(e)))
         energy +=
           mesh.visit_element(e, state.fibers, [&](const BeamElement &element) {
             return element.energy(mesh.element_dofs(state.q, e));

@@ -96,16 +96,17 @@ namespace fiberloom
 
 
   void
-  PlateTerm::visit_couplings(
-    const std::function<void(std::vector<unsigned int>)> &couple) const
+  PlateTerm::visit_couplings(const CouplingVisitor &couple) const
   {
     if (!supports.plates)
       return;
-    const unsigned int body = layout.body_block(supports.plates->body);
+    const unsigned int        body = layout.body_block(supports.plates->body);
+    std::vector<unsigned int> blocks;
     for (unsigned int e = 0; e < mesh.n_elements(); ++e)
       {
         const unsigned int n = mesh.first_node(e);
-        couple({n, n + 1, n + 2, body});
+        blocks               = {n, n + 1, n + 2, body};
+        couple(blocks);
       }
   }
 
@@ -276,7 +277,7 @@ namespace fiberloom
                    [&](const PlateContact          &contact,
                        const PlateContact::Heights &x,
                        const PlateGroup            &group) {
-                     if (layout.local_block(group.nodes[0]) < 0)
+                     if (!owns(group.nodes[0]))
                        return;
                      energy += contact.energy(x);
                      if (!frictions.empty())
@@ -285,7 +286,7 @@ namespace fiberloom
                    });
     const Plates &plates = *supports.plates;
     const double  middle = state.placements[plates.body].position.z();
-    if (layout.local_block(layout.body_block(plates.body)) >= 0)
+    if (owns(layout.body_block(plates.body)))
       energy += .5 * spring() * middle * middle;
     return energy;
   }

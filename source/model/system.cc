@@ -147,7 +147,7 @@ namespace fiberloom
   System::set_fixed_pattern()
   {
     for (const auto &term : terms)
-      term->visit_couplings([this](std::vector<unsigned int> blocks) {
+      term->visit_couplings([this](std::vector<unsigned int> &blocks) {
         append_bodies(movement, supports, numbering, originals, blocks);
         couple(numbering, blocks, fixed_pattern);
       });
@@ -169,7 +169,7 @@ namespace fiberloom
 
     auto pattern = fixed_pattern;
     contact_term.visit_couplings(contacts,
-                                 [&](std::vector<unsigned int> blocks) {
+                                 [&](std::vector<unsigned int> &blocks) {
                                    append_bodies(movement,
                                                  supports,
                                                  numbering,

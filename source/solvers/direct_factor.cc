@@ -194,17 +194,24 @@ namespace fiberloom
       return merged;
     }
 
+    /** Where parts of these sizes begin, one after the other. */
+    std::vector<int>
+    begins_of(const std::vector<int> &counts)
+    {
+      std::vector<int> begins(counts.size());
+      std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
+      return begins;
+    }
+
     /** Those of all ranks, one after the other, on rank 0. */
     std::vector<idx_t>
     gathered(const MPI_Comm comm, const std::vector<idx_t> &own)
     {
       static_assert(sizeof(idx_t) == sizeof(int));
-      const int        n_own  = own.size();
-      const auto       counts = dealii::Utilities::MPI::gather(comm, n_own, 0);
-      std::vector<int> begins(counts.size(), 0);
-      for (unsigned int r = 1; r < counts.size(); ++r)
-        begins[r] = begins[r - 1] + counts[r - 1];
-      std::vector<idx_t> all(
+      const int  n_own  = own.size();
+      const auto counts = dealii::Utilities::MPI::gather(comm, n_own, 0);
+      const std::vector<int> begins = begins_of(counts);
+      std::vector<idx_t>     all(
         std::accumulate(counts.begin(), counts.end(), std::size_t(0)));
       MPI_Gatherv(own.data(),
                   n_own,
@@ -395,9 +402,7 @@ namespace fiberloom
     {
       const int  n_owned = layout.n_owned_dofs();
       const auto counts  = dealii::Utilities::MPI::gather(comm, n_owned, 0);
-      std::vector<int> begins(counts.size(), 0);
-      for (unsigned int r = 1; r < counts.size(); ++r)
-        begins[r] = begins[r - 1] + counts[r - 1];
+      const std::vector<int> begins = begins_of(counts);
 
       std::vector<double> all(rank == 0 ? layout.n_dofs() : 0);
       MPI_Gatherv(owned_values,

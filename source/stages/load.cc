@@ -28,14 +28,6 @@ namespace fiberloom
     const std::array<std::string, 6> dof_names{
       {"x", "y", "z", "rx", "ry", "rz"}};
 
-    Hold
-    find_hold(const EndHold hold)
-    {
-      return hold == EndHold::clamped ? Hold::clamped :
-             hold == EndHold::pinned  ? Hold::pinned :
-                                        Hold::center;
-    }
-
     Eigen::Quaterniond
     rotation_by(const Vector3 &vector)
     {
@@ -207,14 +199,13 @@ namespace fiberloom
     const Drive            &drive = drives[d];
     std::vector<Attachment> attachments;
     for (const unsigned int node : drive.nodes)
-      attachments.push_back(
-        drive.parameters.held.empty() ?
-          attach(start, node, d, find_hold(drive.parameters.hold)) :
-          attach(start,
-                 node,
-                 d,
-                 drive.parameters.held,
-                 reference_point(drive, start)));
+      attachments.push_back(drive.parameters.held.empty() ?
+                              attach(start, node, d, drive.parameters.hold) :
+                              attach(start,
+                                     node,
+                                     d,
+                                     drive.parameters.held,
+                                     reference_point(drive, start)));
     return attachments;
   }
 

@@ -98,19 +98,21 @@ namespace fiberloom
   inline const Choices<StressFree> choices<StressFree> =
     {{StressFree::as_given, "as given"}, {StressFree::straight, "straight"}};
 
-  /** How a drive holds the ends of fibers. */
-  enum class EndHold
+  /** How a body holds a node of a fiber. */
+  enum class Hold
   {
-    clamped,
-    pinned,
-    centers
+    clamped,   // centre, and the directions of both section vectors
+    direction, // centre, and the direction of the first section vector
+    pinned,    // centre, and no spin about the fiber's axis
+    center,    // centre alone
+    axial      // centre along the fiber's axis alone
   };
 
+  // Those that a drive can ask for.
   template <>
-  inline const Choices<EndHold> choices<EndHold> = {
-    {EndHold::clamped, "clamped"},
-    {EndHold::pinned, "pinned"},
-    {EndHold::centers, "centers"}};
+  inline const Choices<Hold> choices<Hold> = {{Hold::clamped, "clamped"},
+                                              {Hold::pinned, "pinned"},
+                                              {Hold::center, "centers"}};
 
   /** Whether a fiber can touch itself. */
   enum class SelfContact

@@ -127,7 +127,7 @@ namespace fiberloom
   {
     std::string name;
     std::string ends; // "0 start, all end, 3 at 0.5"
-    EndHold     hold = EndHold::clamped;
+    Hold        hold = Hold::clamped;
     std::string held; // "x y z spin tilt": instead of hold, in detail
     std::string
       free; // degrees of freedom of the body left free: "x y z rx ry rz"

@@ -4,6 +4,8 @@
 #ifndef fiberloom_coupling_hold_h
 #define fiberloom_coupling_hold_h
 
+#include <fiberloom/base/choices.h>
+
 #include <fiberloom/coupling/rigid_body.h>
 
 #include <string>
@@ -11,16 +13,6 @@
 
 namespace fiberloom
 {
-  /** How a body holds a node of a fiber. */
-  enum class Hold
-  {
-    clamped,   // centre, and the directions of both section vectors
-    direction, // centre, and the direction of the first section vector
-    pinned,    // centre, and no spin about the fiber's axis
-    center,    // centre alone
-    axial      // centre along the fiber's axis alone
-  };
-
   /**
    * The attachment of @p node to @p body , its frame along the section vectors
    * that the node has in @p q (columns: first, second, axis); the body's

@@ -66,6 +66,20 @@ namespace fiberloom
                   const unsigned int            n,
                   const std::vector<NodeImage> &images = {}) const;
 
+    /** Whether bodies hold any of @p nodes , or some are images across a border
+     * of a cell. */
+    template <class Nodes>
+    bool
+    is_held(const Nodes &nodes, const std::vector<NodeImage> &images) const
+    {
+      return std::any_of(
+        nodes.begin(), nodes.end(), [&](const unsigned int node) {
+          return motion.attachment(original(node, images)) >= 0 ||
+                 (node < images.size() &&
+                  images[node].periods != std::array<int, 2>());
+        });
+    }
+
     /** Adds nodes, force(a) and stiffness(a, b) of @p group . */
     template <class Group>
     void
@@ -131,6 +145,12 @@ namespace fiberloom
     std::vector<double> sum; // of residuals, the owned dofs
     double              largest = 0;
 
+    static unsigned int
+    original(const unsigned int node, const std::vector<NodeImage> &images)
+    {
+      return node < images.size() ? images[node].node : node;
+    }
+
     template <class Group>
     void
     scatter_held(const Group &group, const std::vector<NodeImage> &images);
@@ -189,25 +209,14 @@ namespace fiberloom
     using Force = Eigen::Matrix<double, n_fixed, 1>;
     using Block = Eigen::Matrix<double, n_fixed, n_fixed, Eigen::RowMajor>;
 
-    const auto original = [&images](const unsigned int node) {
-      return node < images.size() ? images[node].node : node;
-    };
-    const bool held =
-      std::any_of(group.nodes.begin(),
-                  group.nodes.end(),
-                  [&](const unsigned int node) {
-                    return motion.attachment(original(node)) >= 0 ||
-                           (node < images.size() &&
-                            images[node].periods != std::array<int, 2>());
-                  });
-    if (held)
+    if (is_held(group.nodes, images))
       {
         scatter_held(group, images);
         return;
       }
     for (unsigned int a = 0; a < group.nodes.size(); ++a)
       {
-        const unsigned int row   = original(group.nodes[a]);
+        const unsigned int row   = original(group.nodes[a], images);
         const int          local = layout.local_block(row);
         if (local < 0)
           continue;
@@ -215,7 +224,7 @@ namespace fiberloom
         if (adds_tangent)
           for (unsigned int b = 0; b < group.nodes.size(); ++b)
             {
-              const unsigned int column = original(group.nodes[b]);
+              const unsigned int column = original(group.nodes[b], images);
               Eigen::Map<Block>(matrix.block(row, column),
                                 layout.size(row),
                                 layout.size(column)) += group.stiffness(a, b);

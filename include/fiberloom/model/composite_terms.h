@@ -11,19 +11,28 @@ namespace fiberloom
 {
   struct JunctionGroup;
 
-  /** The cells of a matrix. */
-  class CellTerm : public Term
+  /** Of a composite. */
+  class CompositeTerm : public Term
   {
   public:
     /** Arguments are kept by reference. */
-    CellTerm(const Composite &composite, const BlockLayout &layout)
-      : composite(composite)
-      , layout(layout)
+    CompositeTerm(const Composite &composite, const BlockLayout &layout)
+      : Term(layout)
+      , composite(composite)
     {}
 
+  protected:
+    const Composite &composite;
+  };
+
+  /** The cells of a matrix. */
+  class CellTerm : public CompositeTerm
+  {
+  public:
+    using CompositeTerm::CompositeTerm;
+
     void
-    visit_couplings(const std::function<void(std::vector<unsigned int>)>
-                      &couple) const override;
+    visit_couplings(const CouplingVisitor &couple) const override;
 
     void
     add(const State &state, Assembly &sum) const override;
@@ -34,25 +43,16 @@ namespace fiberloom
     /** Through the strain. */
     double
     rounding() const override;
-
-  private:
-    const Composite   &composite;
-    const BlockLayout &layout;
   };
 
   /** The junctions of fibers and matrix. */
-  class JunctionTerm : public Term
+  class JunctionTerm : public CompositeTerm
   {
   public:
-    /** Arguments are kept by reference. */
-    JunctionTerm(const Composite &composite, const BlockLayout &layout)
-      : composite(composite)
-      , layout(layout)
-    {}
+    using CompositeTerm::CompositeTerm;
 
     void
-    visit_couplings(const std::function<void(std::vector<unsigned int>)>
-                      &couple) const override;
+    visit_couplings(const CouplingVisitor &couple) const override;
 
     void
     add(const State &state, Assembly &sum) const override;
@@ -64,9 +64,6 @@ namespace fiberloom
     rounding() const override;
 
   private:
-    const Composite   &composite;
-    const BlockLayout &layout;
-
     /** Of a group whose nodes no body holds: its blocks are diagonal. */
     static void
     scatter_diagonals(const JunctionGroup &group, Assembly &sum);

@@ -6,9 +6,8 @@
 
 #include <fiberloom/contact/contact_element.h>
 
-#include <fiberloom/model/assembly.h>
+#include <fiberloom/model/term.h>
 
-#include <functional>
 #include <vector>
 
 namespace fiberloom
@@ -24,9 +23,8 @@ namespace fiberloom
     ContactTerm(const FiberMesh &mesh, const BlockLayout &layout);
 
     void
-    visit_couplings(
-      const std::vector<ContactElement>                    &contacts,
-      const std::function<void(std::vector<unsigned int>)> &couple) const;
+    visit_couplings(const std::vector<ContactElement> &contacts,
+                    const CouplingVisitor             &couple) const;
 
     /** Stores forces in @p contacts . */
     void

@@ -16,14 +16,13 @@ namespace fiberloom
     FiberTerm(const FiberMesh              &mesh,
               const std::vector<NodeImage> &originals,
               const BlockLayout            &layout)
-      : mesh(mesh)
+      : Term(layout)
+      , mesh(mesh)
       , originals(originals)
-      , layout(layout)
     {}
 
     void
-    visit_couplings(const std::function<void(std::vector<unsigned int>)>
-                      &couple) const override;
+    visit_couplings(const CouplingVisitor &couple) const override;
 
     void
     add(const State &state, Assembly &sum) const override;
@@ -37,7 +36,6 @@ namespace fiberloom
   private:
     const FiberMesh              &mesh;
     const std::vector<NodeImage> &originals;
-    const BlockLayout            &layout;
   };
 } // namespace fiberloom
 

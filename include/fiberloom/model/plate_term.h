@@ -23,15 +23,14 @@ namespace fiberloom
     PlateTerm(const FiberMesh   &mesh,
               const Supports    &supports,
               const BlockLayout &layout)
-      : mesh(mesh)
+      : Term(layout)
+      , mesh(mesh)
       , supports(supports)
-      , layout(layout)
     {}
 
     /** The plates' body touches any fiber. */
     void
-    visit_couplings(const std::function<void(std::vector<unsigned int>)>
-                      &couple) const override;
+    visit_couplings(const CouplingVisitor &couple) const override;
 
     void
     add(const State &state, Assembly &sum) const override;
@@ -88,7 +87,6 @@ namespace fiberloom
 
     const FiberMesh           &mesh;
     const Supports            &supports;
-    const BlockLayout         &layout;
     std::vector<PlateFriction> frictions; // of each section and plate
   };
 } // namespace fiberloom

@@ -81,12 +81,6 @@ namespace fiberloom
       return *plate_term;
     }
 
-    const PlateTerm &
-    plates() const
-    {
-      return *plate_term;
-    }
-
     /** Residual alone. */
     void
     assemble_residual(const State                 &state,

@@ -12,17 +12,24 @@
 
 namespace fiberloom
 {
+  /** Called with the blocks of each group of nodes; may add others. */
+  using CouplingVisitor = std::function<void(std::vector<unsigned int> &)>;
+
   /** A part of the potential of a system, as of its fibers or of plates. */
   class Term
   {
   public:
+    /** @p layout is kept by reference. */
+    explicit Term(const BlockLayout &layout)
+      : layout(layout)
+    {}
+
     virtual ~Term() = default;
 
     /** Calls @p couple with the blocks of each group of nodes that it couples,
      * of all ranks. */
     virtual void
-    visit_couplings(
-      const std::function<void(std::vector<unsigned int>)> &couple) const = 0;
+    visit_couplings(const CouplingVisitor &couple) const = 0;
 
     /** Its gradient and, if asked for, its Hessian, as far as they touch
      * owned blocks. */
@@ -49,6 +56,15 @@ namespace fiberloom
     }
 
   protected:
+    /** Whether what begins at @p node counts in this rank's part. */
+    bool
+    owns(const unsigned int node) const
+    {
+      return layout.local_block(node) >= 0;
+    }
+
+    const BlockLayout &layout;
+
     // Of a force, over stiffness and place.
     static constexpr double rounding_errors =
       10 * std::numeric_limits<double>::epsilon();
