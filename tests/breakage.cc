@@ -185,7 +185,7 @@ namespace
     run_stages(parameters, fibers, [&](const IncrementReport &report) {
       double force = 0;
       for (const auto &[column, value] : report.curve)
-        if (column == "force_end[N]")
+        if (column.name == "force_end")
           force = value;
       forces.emplace_back(.04 * report.state.load / L, force);
       if (report.last)

@@ -45,7 +45,9 @@ namespace
     run_stages(parameters,
                build_fiber_set(parameters),
                [&rows](const IncrementReport &report) {
-                 rows.emplace_back(report.curve.begin(), report.curve.end());
+                 rows.emplace_back();
+                 for (const auto &[column, value] : report.curve)
+                   rows.back()[column.heading()] = value;
                });
     return rows;
   }

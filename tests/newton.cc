@@ -43,11 +43,11 @@ namespace
     run_stages(parameters,
                build_fiber_set(parameters),
                [&](const IncrementReport &report) {
-                 for (const auto &[name, value] : report.curve)
+                 for (const auto &[column, value] : report.curve)
                    {
-                     if (name == "force_warp[N]")
+                     if (column.name == "force_warp")
                        ended.force = value;
-                     if (name == "thickness[mm]")
+                     if (column.name == "thickness")
                        ended.thickness = value;
                    }
                  iterations[report.stage] = report.statistics.newton_iterations;

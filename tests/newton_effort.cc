@@ -34,8 +34,8 @@ namespace
     run_stages(parameters,
                build_fiber_set(parameters),
                [&](const IncrementReport &report) {
-                 for (const auto &[name, value] : report.curve)
-                   if (name == "force_fill[N]")
+                 for (const auto &[column, value] : report.curve)
+                   if (column.name == "force_fill")
                      ended.force = value;
                  ended.spent = report.statistics;
                });

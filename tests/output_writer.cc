@@ -83,7 +83,8 @@ namespace
             contacts,
             supports,
             reactions,
-            {{"strain_warp", state.load}, {"force_warp[N]", state.load}},
+            {{{"strain_warp", Quantity::strain, Role::deformation}, state.load},
+             {{"force_warp", Quantity::force, Role::response}, state.load}},
             statistics,
             state.increment == n});
   }

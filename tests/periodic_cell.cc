@@ -50,8 +50,8 @@ namespace
     run_stages(ended.parameters,
                ended.fibers,
                [&](const IncrementReport &report) {
-                 for (const auto &[name, value] : report.curve)
-                   ended.last[name] = value;
+                 for (const auto &[column, value] : report.curve)
+                   ended.last[column.heading()] = value;
                  ended.energy    = report.statistics.elastic_energy;
                  ended.stiffness = report.statistics.membrane_stiffness;
                  ended.thickness = report.statistics.filled_thickness;

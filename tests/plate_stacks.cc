@@ -110,8 +110,8 @@ namespace
   {
     std::map<std::string, double> last;
     run_stages(parameters, fibers, [&](const IncrementReport &report) {
-      for (const auto &[name, value] : report.curve)
-        last[name] = value;
+      for (const auto &[column, value] : report.curve)
+        last[column.heading()] = value;
     });
     return last;
   }

@@ -71,9 +71,16 @@ namespace boost
 
     template <class Archive>
     void
+    serialize(Archive &ar, fiberloom::Column &column, const unsigned int)
+    {
+      ar &column.name &column.quantity &column.role &column.family;
+    }
+
+    template <class Archive>
+    void
     serialize(Archive &ar, fiberloom::OutputRecord &output, const unsigned int)
     {
-      ar &output.tables &output.fields &output.log_size;
+      ar &output.tables &output.columns &output.fields &output.log_size;
     }
   } // namespace serialization
 } // namespace boost
@@ -89,7 +96,7 @@ namespace fiberloom
       checkpoint_magic.size() + 3 * sizeof(std::uint64_t);
 
     // to be raised with every change of what is serialised
-    constexpr std::uint64_t checkpoint_version = 9;
+    constexpr std::uint64_t checkpoint_version = 10;
 
     // Two million nodes take a twentieth.
     constexpr std::uintmax_t most_bytes = 20000000000;

@@ -30,108 +30,143 @@ namespace fiberloom
       }
     };
 
-    struct CurvePlot
+    struct Line
     {
-      std::string              abscissa_name = "load";
-      Values                   abscissa;
-      std::string              quantity; // "force [N]"
-      std::vector<std::string> names;
-      std::vector<Values>      ordinates;
+      Column column;
+      Values values;
     };
 
-    bool
-    ends_with(const std::string &text, const std::string &end)
+    struct CurvePlot
     {
-      return text.size() >= end.size() &&
-             text.compare(text.size() - end.size(), end.size(), end) == 0;
-    }
+      std::string       abscissa_name = "load";
+      Values            abscissa;
+      std::string       quantity; // "force [N]"
+      std::vector<Line> lines;
+    };
 
-    bool
-    is_deformation(const std::string &name)
-    {
-      for (const char *start :
-           {"strain", "shear_angle", "bending_angle", "fiber_volume_fraction"})
-        if (name.rfind(start, 0) == 0)
-          return true;
-      return false;
-    }
+    constexpr unsigned int most_lines = 6;
 
-    bool
-    has_values(const Values &values)
-    {
-      return std::count_if(values.begin(), values.end(), [](const double v) {
-               return std::isfinite(v);
-             }) >= 2;
-    }
+    // Parts of the largest value below which values only round.
+    constexpr double rounding = 1e-6;
 
     double
     largest_value(const Values &values)
     {
       CurveRange range;
       range.include(values);
-      return range.high - range.low;
+      return std::max(range.high, -range.low);
     }
 
-    void
+    /** Of the values alone, without zero. */
+    CurveRange
+    tight_range(const Values &values)
+    {
+      CurveRange range{values.front(), values.front()};
+      for (const double value : values)
+        {
+          range.low  = std::fmin(range.low, value);
+          range.high = std::fmax(range.high, value);
+        }
+      return range;
+    }
+
+    /** Of a role, that have two values at least. */
+    std::vector<Line>
+    lines_of(const Role          role,
+             const LoadingCurve &curve,
+             const unsigned int  stage)
+    {
+      std::vector<Line> lines;
+      for (const Column &column : curve.described_columns())
+        if (column.role == role)
+          {
+            const Values values = curve.values(stage, column);
+            if (std::count_if(values.begin(), values.end(), [](const double v) {
+                  return std::isfinite(v);
+                }) >= 2)
+              lines.push_back({column, values});
+          }
+      return lines;
+    }
+
+    /** Returns what the abscissa is. */
+    Quantity
     choose_abscissa(const LoadingCurve &curve,
                     const unsigned int  stage,
                     CurvePlot          &plot)
     {
-      double largest = 0;
-      plot.abscissa  = curve.loads(stage);
-      for (unsigned int c = 0; c < curve.columns().size(); ++c)
-        {
-          const auto values = curve.values(stage, c);
-          // equal strains differ by rounding: the first one is to be taken
-          if (is_deformation(curve.columns()[c]) && has_values(values) &&
-              largest_value(values) > largest * (1 + 1e-6))
-            {
-              largest            = largest_value(values);
-              plot.abscissa_name = curve.columns()[c];
-              plot.abscissa      = values;
-            }
-        }
+      double   most     = 0;
+      Quantity quantity = Quantity::number;
+      plot.abscissa     = curve.loads(stage);
+      for (const Line &line : lines_of(Role::deformation, curve, stage))
+        // equal strains differ by rounding: the first one is to be taken
+        if (const CurveRange range = tight_range(line.values);
+            range.high - range.low > most * (1 + rounding))
+          {
+            most               = range.high - range.low;
+            quantity           = line.column.quantity;
+            plot.abscissa_name = readable(line.column.heading());
+            plot.abscissa      = line.values;
+          }
+      return quantity;
     }
 
     void
-    choose_ordinates(const LoadingCurve &curve,
-                     const unsigned int  stage,
-                     CurvePlot          &plot)
+    choose_lines(const LoadingCurve &curve,
+                 const unsigned int  stage,
+                 const Quantity      abscissa,
+                 CurvePlot          &plot)
     {
-      struct Quantity
-      {
-        const char *name, *part, *end;
-      };
-      for (const Quantity &quantity :
-           {Quantity{"moment [N.mm]", "bending_moment", "[N.mm]"},
-            Quantity{"force [N]", "", "[N]"},
-            Quantity{"moment [N.mm]", "moment", "[N.mm]"},
-            Quantity{"pressure [MPa]", "pressure", "[MPa]"}})
+      const std::vector<Line> responses =
+        lines_of(Role::response, curve, stage);
+      std::vector<Quantity> quantities = {Quantity::force, Quantity::moment};
+      if (abscissa == Quantity::angle)
+        std::reverse(quantities.begin(), quantities.end());
+      quantities.push_back(Quantity::pressure);
+      for (const Quantity quantity : quantities)
         {
-          for (unsigned int c = 0; c < curve.columns().size(); ++c)
-            if (const std::string &column = curve.columns()[c];
-                ends_with(column, quantity.end) &&
-                column.find(quantity.part) != std::string::npos &&
-                column.find("contact_force") == std::string::npos &&
-                has_values(curve.values(stage, c)))
+          std::vector<double> sizes;
+          for (const Line &line : responses)
+            if (line.column.quantity == quantity)
               {
-                plot.names.push_back(column);
-                plot.ordinates.push_back(curve.values(stage, c));
+                plot.lines.push_back(line);
+                sizes.push_back(largest_value(line.values));
               }
-          plot.quantity = quantity.name;
-          if (!plot.names.empty())
-            return;
+          std::sort(sizes.rbegin(), sizes.rend());
+          if (sizes.empty() || sizes.front() == 0)
+            {
+              plot.lines.clear();
+              continue;
+            }
+          const double least = std::max(
+            rounding * sizes.front(),
+            sizes[std::min<std::size_t>(most_lines, sizes.size()) - 1]);
+          plot.lines.erase(std::remove_if(plot.lines.begin(),
+                                          plot.lines.end(),
+                                          [least](const Line &line) {
+                                            return largest_value(line.values) <
+                                                   least;
+                                          }),
+                           plot.lines.end());
+          plot.lines.resize(
+            std::min<std::size_t>(most_lines, plot.lines.size()));
+          plot.quantity = name_of(quantity) + " [" + unit_of(quantity) + "]";
+          return;
         }
     }
 
     Color
-    curve_color(const std::string &name, const unsigned int i)
+    line_color(const Tow::Family family, const unsigned int i)
     {
-      if (name.find("warp") != std::string::npos)
-        return palette_color(0);
-      if (name.find("fill") != std::string::npos)
-        return palette_color(1);
-      return palette_color(i + 2);
+      switch (family)
+        {
+          case Tow::Family::warp:
+            return palette_color(0);
+          case Tow::Family::fill:
+            return palette_color(1);
+          default:
+            return palette_color(i + 2);
+        }
     }
 
     class CurveSheet
@@ -141,9 +176,9 @@ namespace fiberloom
         : plot(plot)
         , picture(width, height)
       {
-        x_range.include(plot.abscissa);
-        for (const auto &values : plot.ordinates)
-          y_range.include(values);
+        x_range = tight_range(plot.abscissa);
+        for (const Line &line : plot.lines)
+          y_range.include(line.values);
         if (std::isfinite(error))
           band = error * std::max(y_range.high, -y_range.low);
         y_range.high += band;
@@ -160,11 +195,11 @@ namespace fiberloom
       {
         axes();
         if (band > 0)
-          for (unsigned int i = 0; i < plot.names.size(); ++i)
+          for (unsigned int i = 0; i < plot.lines.size(); ++i)
             error_band(i);
-        for (unsigned int i = 0; i < plot.names.size(); ++i)
+        for (unsigned int i = 0; i < plot.lines.size(); ++i)
           curve(i);
-        for (unsigned int i = 0; i < plot.names.size(); ++i)
+        for (unsigned int i = 0; i < plot.lines.size(); ++i)
           legend(i);
         picture.text({{left, top - 22}}, title, 19);
         return picture.str();
@@ -208,7 +243,7 @@ namespace fiberloom
         picture.line({{left, top}}, {{left, bottom}}, ink, 1.5);
         picture.line({{left, bottom}}, {{right, bottom}}, ink, 1.5);
         picture.text({{.5 * (left + right), height - 18}},
-                     readable(plot.abscissa_name),
+                     plot.abscissa_name,
                      16,
                      SvgPicture::Anchor::middle);
         picture.text({{26, .5 * (top + bottom)}},
@@ -247,16 +282,17 @@ namespace fiberloom
         std::vector<SvgPicture::Point> border;
         const auto append = [&](const std::size_t k, const double side) {
           if (std::isfinite(plot.abscissa[k]) &&
-              std::isfinite(plot.ordinates[i][k]))
-            border.push_back(
-              {{x(plot.abscissa[k]),
-                y(std::max(plot.ordinates[i][k] + side * band, y_range.low))}});
+              std::isfinite(plot.lines[i].values[k]))
+            border.push_back({{x(plot.abscissa[k]),
+                               y(std::max(plot.lines[i].values[k] + side * band,
+                                          y_range.low))}});
         };
         for (std::size_t k = first; k <= last; ++k)
           append(k, 1);
         for (std::size_t k = last + 1; k-- > first;)
           append(k, -1);
-        const Color light = curve_color(plot.names[i], i).lighter(.7);
+        const Color light =
+          line_color(plot.lines[i].column.family, i).lighter(.7);
         picture.polygon(border, light, light, 0);
       }
 
@@ -266,12 +302,13 @@ namespace fiberloom
         std::vector<SvgPicture::Point> points;
         for (std::size_t k = 0; k < plot.abscissa.size(); ++k)
           if (std::isfinite(plot.abscissa[k]) &&
-              std::isfinite(plot.ordinates[i][k]))
-            points.push_back({{x(plot.abscissa[k]), y(plot.ordinates[i][k])}});
+              std::isfinite(plot.lines[i].values[k]))
+            points.push_back(
+              {{x(plot.abscissa[k]), y(plot.lines[i].values[k])}});
 
         // curves that coincide must both be seen: later ones thinner
         const double thickness = std::max(1.6, 5. - 2.6 * i);
-        const Color  color     = curve_color(plot.names[i], i);
+        const Color  color     = line_color(plot.lines[i].column.family, i);
         picture.polyline(points, color, thickness);
         for (const auto &point : points)
           picture.disc(point, thickness + 1.6, color);
@@ -281,9 +318,11 @@ namespace fiberloom
       legend(const unsigned int i)
       {
         const double row   = top + 24 + 24 * i;
-        const Color  color = curve_color(plot.names[i], i);
+        const Color  color = line_color(plot.lines[i].column.family, i);
         picture.line({{left + 20, row - 5}}, {{left + 56, row - 5}}, color, 4);
-        picture.text({{left + 66, row}}, readable(plot.names[i]), 15);
+        picture.text({{left + 66, row}},
+                     readable(plot.lines[i].column.heading()),
+                     15);
       }
 
       static constexpr double width = 860, height = 600;
@@ -299,26 +338,16 @@ namespace fiberloom
 
 
   std::string
-  readable(std::string column)
-  {
-    std::replace(column.begin(), column.end(), '_', ' ');
-    const auto unit = column.find('[');
-    if (unit != std::string::npos)
-      column.insert(unit, " ");
-    return column;
-  }
-
-
-
-  std::string
   curve_picture(const LoadingCurve &curve,
                 const unsigned int  stage_index,
                 const double        error)
   {
     CurvePlot plot;
-    choose_abscissa(curve, stage_index, plot);
-    choose_ordinates(curve, stage_index, plot);
-    if (plot.names.empty())
+    choose_lines(curve,
+                 stage_index,
+                 choose_abscissa(curve, stage_index, plot),
+                 plot);
+    if (plot.lines.empty())
       return "";
 
     std::string stage;

@@ -3,6 +3,7 @@
 
 #include <fiberloom/output/curves.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace fiberloom
@@ -28,23 +29,51 @@ namespace fiberloom
   LoadingCurve::append(const Place &place, const CurveRow &values)
   {
     Cells cells;
-    for (const auto &[name, value] : values)
-      cells.emplace_back(name, table_cell(value));
+    for (const auto &[column, value] : values)
+      {
+        describe(column);
+        cells.emplace_back(column.heading(), table_cell(value));
+      }
     IncrementTable::append(place, "", cells);
+  }
+
+
+
+  void
+  LoadingCurve::continue_columns(const std::vector<Column> &former)
+  {
+    for (const Column &column : former)
+      describe(column);
+  }
+
+
+
+  void
+  LoadingCurve::describe(const Column &column)
+  {
+    const std::string heading = column.heading();
+    if (std::none_of(described.begin(),
+                     described.end(),
+                     [&heading](const Column &known) {
+                       return known.heading() == heading;
+                     }))
+      described.push_back(column);
   }
 
 
 
   std::vector<double>
   LoadingCurve::values(const unsigned int stage_index,
-                       const unsigned int column) const
+                       const Column      &column) const
   {
+    const unsigned int c =
+      std::find(columns().begin(), columns().end(), column.heading()) -
+      columns().begin();
     std::vector<double> result;
     for (const Row &row : rows())
       if (row.stage_index == stage_index)
-        result.push_back(column < row.cells.size() &&
-                             !row.cells[column].empty() ?
-                           std::stod(row.cells[column]) :
+        result.push_back(c < row.cells.size() && !row.cells[c].empty() ?
+                           std::stod(row.cells[c]) :
                            std::numeric_limits<double>::quiet_NaN());
     return result;
   }

@@ -137,6 +137,7 @@ namespace fiberloom
       if (const auto former = output.fields.find(fields->series());
           former != output.fields.end())
         fields->continue_from(former->second, field_time(state));
+    curve.continue_columns(output.columns);
     for (IncrementTable *table : tables())
       if (const auto former = output.tables.find(table->file());
           former != output.tables.end())
@@ -362,6 +363,7 @@ namespace fiberloom
     OutputRecord record;
     for (const IncrementTable *table : tables())
       record.tables[table->file()] = table->str();
+    record.columns = curve.described_columns();
     for (const FieldSeries *fields : series())
       record.fields[fields->series()] = fields->entries();
     record.log_size = log_size;

@@ -114,62 +114,53 @@ namespace fiberloom
 
 
 
-    std::string
-    unit(const std::string &column)
-    {
-      const auto bracket = column.find('[');
-      return bracket == std::string::npos ? "" : column.substr(bracket);
-    }
-
-
-
     /**
-     * Largest change of the columns of a unit since the stage began, forces
+     * Largest change of the columns of a quantity since the stage began, forces
      * counted from zero. Moments are about a center that might as well be
      * elsewhere in its body: none counts for less than a force times the
-     * largest body. Units in which nothing to speak of happens are left
+     * largest body. Quantities of which nothing to speak of happens are left
      * out, @p radius being that of a fiber, and forces that the
      * solver does not resolve to a thousandth.
      */
-    std::map<std::string, double>
+    std::map<Quantity, double>
     scales(const Outcome &outcome, const double radius)
     {
-      std::map<std::string, double> largest;
+      std::map<Quantity, double> largest;
       for (unsigned int c = 0; c < outcome.curve.size(); ++c)
         {
           const auto &[column, value] = outcome.curve[c];
-          double &scale               = largest[unit(column)];
+          double &scale               = largest[column.quantity];
           scale = std::max(scale, std::abs(value - outcome.begun[c].second));
         }
-      const double                                      force = largest["[N]"];
-      const std::vector<std::pair<std::string, double>> usual{
-        {"[N]", outcome.unresolved / (least_scale * least_scale)},
-        {"[N.mm]", force * radius},
-        {"[MPa]", 0},
-        {"[N/mm]", 0},
-        {"[mm]", radius},
-        {"[rad]", 1}};
-      double &moment = largest["[N.mm]"];
+      const double force = largest[Quantity::force];
+      const std::vector<std::pair<Quantity, double>> usual{
+        {Quantity::force, outcome.unresolved / (least_scale * least_scale)},
+        {Quantity::moment, force * radius},
+        {Quantity::pressure, 0},
+        {Quantity::force_per_width, 0},
+        {Quantity::length, radius},
+        {Quantity::angle, 1}};
+      double &moment = largest[Quantity::moment];
       moment         = std::max(moment, force * outcome.lever);
-      std::map<std::string, double> scales;
-      for (const auto &[name, value] : usual)
-        if (largest[name] > least_scale * value)
-          scales[name] = largest[name];
+      std::map<Quantity, double> scales;
+      for (const auto &[quantity, value] : usual)
+        if (largest[quantity] > least_scale * value)
+          scales[quantity] = largest[quantity];
       return scales;
     }
 
 
 
-    /** Of each column with a unit, over its scale. */
+    /** Of each column whose quantity has a scale, over that. */
     Eigen::ArrayXd
-    change(const Outcome                       &from,
-           const Outcome                       &to,
-           const std::map<std::string, double> &scale)
+    change(const Outcome                    &from,
+           const Outcome                    &to,
+           const std::map<Quantity, double> &scale)
     {
       Eigen::ArrayXd change(from.curve.size());
       for (unsigned int c = 0; c < change.size(); ++c)
         {
-          const auto found = scale.find(unit(from.curve[c].first));
+          const auto found = scale.find(from.curve[c].first.quantity);
           change[c] =
             found == scale.end() ?
               0 :
@@ -415,13 +406,13 @@ namespace fiberloom
       Eigen::ArrayXd
       penetration_by(const double factor) const;
 
-      const Scene                  &scene;
-      const std::string            &name;
-      const State                  &before, &found;
-      const MPI_Comm                comm;
-      const std::function<void()>  &ask;
-      Outcome                       now   = {}; // without refinement
-      std::map<std::string, double> scale = {}; // of units
+      const Scene                 &scene;
+      const std::string           &name;
+      const State                 &before, &found;
+      const MPI_Comm               comm;
+      const std::function<void()> &ask;
+      Outcome                      now   = {}; // without refinement
+      std::map<Quantity, double>   scale = {}; // of units
     };
 
 
@@ -487,7 +478,8 @@ namespace fiberloom
       const Response unrefined = respond(before, found, {});
       now                      = unrefined.after;
       scale                    = scales(now, scene.mesh.smallest_radius());
-      if (scale.count("[N]") + scale.count("[N.mm]") + scale.count("[MPa]") ==
+      if (scale.count(Quantity::force) + scale.count(Quantity::moment) +
+            scale.count(Quantity::pressure) ==
           0)
         return {};
       const Eigen::ArrayXd mesh = of_second_order * change_by({2, 1, 1});
@@ -516,17 +508,17 @@ namespace fiberloom
       const Eigen::ArrayXd total = together.max(least_part * alone);
       Eigen::Index         worst;
       total.maxCoeff(&worst);
-      const std::string column  = now.curve[worst].first;
-      const auto        of_unit = scale.find(unit(column));
-      constexpr double  none    = std::numeric_limits<double>::quiet_NaN();
+      const Column    &column    = now.curve[worst].first;
+      const auto       its_scale = scale.find(column.quantity);
+      constexpr double none      = std::numeric_limits<double>::quiet_NaN();
       return {largest(mesh),
               largest(stations),
               of_model ? none : largest(penetration),
               scene.composite ? largest(matrix) : none,
               largest(total),
               largest(tolerance),
-              column,
-              of_unit == scale.end() ? 0 : total[worst] * of_unit->second};
+              column.heading(),
+              its_scale == scale.end() ? 0 : total[worst] * its_scale->second};
     }
   } // namespace
 

@@ -527,25 +527,27 @@ namespace fiberloom
       for (const auto &column : Cell::curve(scene, state, system.reactions()))
         curve.push_back(column);
     if (stage.shows_neighbors())
-      curve.emplace_back("neighbor_force[N]", force_of_neighbors());
+      curve.push_back({{"neighbor_force", Quantity::force, Role::response},
+                       force_of_neighbors()});
     if (stage.shows_balance())
       for (const auto &column : contact_forces())
         curve.push_back(column);
     if (stage.way())
-      curve.emplace_back("work[N.mm]", state.work);
+      curve.push_back({{"work", Quantity::energy}, state.work});
     if (stage.way() || stage.shows_balance())
       {
-        curve.emplace_back("elastic_energy[N.mm]",
-                           system.stored_energy(state, equilibrium.contacts()));
-        curve.emplace_back("dissipation[N.mm]", state.dissipation);
+        curve.push_back({{"elastic_energy", Quantity::energy},
+                         system.stored_energy(state, equilibrium.contacts())});
+        curve.push_back({{"dissipation", Quantity::energy}, state.dissipation});
       }
     if (stage.shows_balance())
-      curve.emplace_back("negative_pivots",
-                         state.increment > 0 ?
-                           equilibrium.negative_pivots() :
-                           std::numeric_limits<double>::quiet_NaN());
+      curve.push_back({{"negative_pivots", Quantity::number},
+                       state.increment > 0 ?
+                         equilibrium.negative_pivots() :
+                         std::numeric_limits<double>::quiet_NaN()});
     if (breakage)
-      curve.emplace_back("broken", state.fibers.breaks.size());
+      curve.push_back(
+        {{"broken", Quantity::number}, double(state.fibers.breaks.size())});
     observer({name + (scene.parameters.is_preview() ? " (preview)" : ""),
               state,
               equilibrium.contacts(),
@@ -601,8 +603,8 @@ namespace fiberloom
         sum += contact.normal_force;
         largest = std::max(largest, contact.normal_force);
       }
-    return {{"contact_force_sum[N]", sum},
-            {"largest_contact_force[N]", largest}};
+    return {{{"contact_force_sum", Quantity::force}, sum},
+            {{"largest_contact_force", Quantity::force}, largest}};
   }
 
 

@@ -198,8 +198,9 @@ namespace fiberloom
                                            lever.cross(reactions[b].head<3>()));
           force += .5 * sign * reactions[b][axis];
         }
-    return {{"bending_angle[rad]", angle_at(state.load)},
-            {"bending_moment[N.mm]", moment},
-            {"axial_force[N]", force}};
+    return {{{"bending_angle", Quantity::angle, Role::deformation},
+             angle_at(state.load)},
+            {{"bending_moment", Quantity::moment, Role::response}, moment},
+            {{"axial_force", Quantity::force}, force}};
   }
 } // namespace fiberloom

@@ -5,6 +5,8 @@
 #include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
+#include <fiberloom/fabric/tow_family.h>
+
 #include <fiberloom/stages/biaxial.h>
 #include <fiberloom/stages/cell.h>
 
@@ -215,10 +217,19 @@ namespace fiberloom
     for (unsigned int d = 0; d < 2; ++d)
       if (free[d])
         strains[d] = free_strain(d, state);
-    return {
-      {"strain_warp", strains[0]},
-      {"strain_fill", strains[1]},
-      {"force_warp[N]", TowEnds::pull(scene, Tow::Family::warp, reactions)},
-      {"force_fill[N]", TowEnds::pull(scene, Tow::Family::fill, reactions)}};
+    CurveRow row;
+    for (const auto family : {Tow::Family::warp, Tow::Family::fill})
+      row.push_back({{"strain_" + family_name(family),
+                      Quantity::strain,
+                      Role::deformation,
+                      family},
+                     strains[family == Tow::Family::fill]});
+    for (const auto family : {Tow::Family::warp, Tow::Family::fill})
+      row.push_back({{"force_" + family_name(family),
+                      Quantity::force,
+                      Role::response,
+                      family},
+                     TowEnds::pull(scene, family, reactions)});
+    return row;
   }
 } // namespace fiberloom

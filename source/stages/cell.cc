@@ -265,15 +265,20 @@ namespace fiberloom
           const State                   &state,
           const std::vector<BodyVector> &reactions)
     {
-      const double mean  = mean_period(scene);
-      const auto   start = periods(scene, state.stage_start_placements[body]),
-                 now     = periods(scene, state.placements[body]);
-      return {{"force_per_width_warp[N/mm]", reactions[body][0] / start[1]},
-              {"force_per_width_fill[N/mm]", reactions[body][1] / start[0]},
-              {"force_per_width_shear[N/mm]", reactions[body][2] / mean},
-              {"period_warp[mm]", now[0]},
-              {"period_fill[mm]", now[1]},
-              {"shear_strain", state.placements[body].position[2] / mean}};
+      const double mean    = mean_period(scene);
+      const auto   start   = periods(scene, state.stage_start_placements[body]),
+                 now       = periods(scene, state.placements[body]);
+      constexpr auto width = Quantity::force_per_width;
+      constexpr auto warp = Tow::Family::warp, fill = Tow::Family::fill;
+      return {{{"force_per_width_warp", width, Role::detail, warp},
+               reactions[body][0] / start[1]},
+              {{"force_per_width_fill", width, Role::detail, fill},
+               reactions[body][1] / start[0]},
+              {{"force_per_width_shear", width}, reactions[body][2] / mean},
+              {{"period_warp", Quantity::length, Role::detail, warp}, now[0]},
+              {{"period_fill", Quantity::length, Role::detail, fill}, now[1]},
+              {{"shear_strain", Quantity::strain, Role::deformation},
+               state.placements[body].position[2] / mean}};
     }
   } // namespace Cell
 } // namespace fiberloom

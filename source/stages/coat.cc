@@ -73,8 +73,9 @@ namespace fiberloom
     for (unsigned int j = 0; j < scene.composite->junctions().size(); ++j)
       largest =
         std::max(largest, scene.composite->junction_force(j, state.q).norm());
-    return {{"junctions", double(scene.composite->junctions().size())},
-            {"largest_junction_force[N]", largest}};
+    return {{{"junctions", Quantity::number},
+             double(scene.composite->junctions().size())},
+            {{"largest_junction_force", Quantity::force}, largest}};
   }
 
 

@@ -345,8 +345,10 @@ namespace fiberloom
   {
     const double distance = state.placements[plates].position[0],
                  area     = this->area(state.placements);
-    return {{"thickness[mm]", distance},
-            {"pressure[MPa]", -reactions[plates][0] / area},
-            {"fiber_volume_fraction", fiber_volume / (area * distance)}};
+    return {{{"thickness", Quantity::length}, distance},
+            {{"pressure", Quantity::pressure, Role::response},
+             -reactions[plates][0] / area},
+            {{"fiber_volume_fraction", Quantity::fraction, Role::deformation},
+             fiber_volume / (area * distance)}};
   }
 } // namespace fiberloom

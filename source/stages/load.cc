@@ -75,14 +75,15 @@ namespace fiberloom
       return name;
     }
 
+    /** A column for each component. */
     void
-    add_vector(CurveRow          &row,
-               const std::string &name,
-               const std::string &unit,
-               const Vector3     &value)
+    add_vector(CurveRow &row, const Column &column, const Vector3 &value)
     {
       for (unsigned int c = 0; c < 3; ++c)
-        row.emplace_back(name + dof_names[c] + unit, value[c]);
+        {
+          row.emplace_back(column, value[c]);
+          row.back().first.name += dof_names[c];
+        }
     }
   } // namespace
 
@@ -435,23 +436,40 @@ namespace fiberloom
   Load::curve(const State                   &state,
               const std::vector<BodyVector> &reactions) const
   {
-    CurveRow row{{"t", state.load * scene.parameters.load.end}};
+    const auto is_directed = [](const Drive &drive) {
+      return !drive.direction.isZero(0);
+    };
+    const bool any_directed =
+      std::any_of(drives.begin(), drives.end(), is_directed);
+    CurveRow row{
+      {{"t", Quantity::number}, state.load * scene.parameters.load.end}};
     for (unsigned int d = 0; d < drives.size(); ++d)
       {
         const std::string name  = drives[d].parameters.name + "_";
         const Vector3     force = reactions[d].head<3>();
-        add_vector(row, name, "[mm]", state.placements[d].position);
-        add_vector(row, name + "r", "[rad]", state.placements[d].turn);
-        add_vector(row, name + "force_", "[N]", force);
-        add_vector(row, name + "moment_", "[N.mm]", reactions[d].tail<3>());
-        if (!drives[d].direction.isZero(0))
-          row.emplace_back("force_" + drives[d].parameters.name + "[N]",
-                           force.dot(drives[d].direction));
+        add_vector(row,
+                   {name, Quantity::length, Role::deformation},
+                   state.placements[d].position);
+        add_vector(row,
+                   {name + "r", Quantity::angle, Role::deformation},
+                   state.placements[d].turn);
+        add_vector(row,
+                   {name + "force_",
+                    Quantity::force,
+                    any_directed ? Role::detail : Role::response},
+                   force);
+        add_vector(row,
+                   {name + "moment_", Quantity::moment, Role::response},
+                   reactions[d].tail<3>());
+        if (is_directed(drives[d]))
+          row.push_back({{"force_" + drives[d].parameters.name,
+                          Quantity::force,
+                          Role::response},
+                         force.dot(drives[d].direction)});
       }
     for (const FiberPoint &probe : probes)
       add_vector(row,
-                 "probe_" + column_name(probe) + "_",
-                 "[mm]",
+                 {"probe_" + column_name(probe) + "_", Quantity::length},
                  scene.mesh
                    .section(state.q,
                             scene.mesh.locate(probe.fiber, probe.position / 2))

@@ -69,6 +69,6 @@ namespace fiberloom
           low  = std::min(low, state.q[9 * n + 2] - line.radius);
           high = std::max(high, state.q[9 * n + 2] + line.radius);
         }
-    return {{"thickness[mm]", high - low}};
+    return {{{"thickness", Quantity::length}, high - low}};
   }
 } // namespace fiberloom

@@ -114,6 +114,20 @@ namespace fiberloom
 
 
 
+  namespace
+  {
+    /** Of a shear @p angle [rad] and what it takes, [N] and [N mm]. */
+    CurveRow
+    row(const double angle, const double force, const double moment)
+    {
+      return {{{"shear_angle", Quantity::angle, Role::deformation}, angle},
+              {{"shear_force", Quantity::force, Role::response}, force},
+              {{"shear_moment", Quantity::moment}, moment}};
+    }
+  } // namespace
+
+
+
   CurveRow
   Shear::curve(const State                   &state,
                const std::vector<BodyVector> &reactions) const
@@ -133,9 +147,7 @@ namespace fiberloom
                     half_turn(runs_along_x(b)) * reactions[b][5];
           length = std::max(length, 2 * std::abs(from.x()));
         }
-    return {{"shear_angle[rad]", angle_at(state.load)},
-            {"shear_force[N]", moment / length},
-            {"shear_moment[N.mm]", moment}};
+    return row(angle_at(state.load), moment / length, moment);
   }
 
 
@@ -147,8 +159,8 @@ namespace fiberloom
     const Placement &placement = state.placements[Cell::body];
     const double     moment =
       reactions[Cell::body].head<3>().dot(Cell::shear_rate(scene, placement));
-    return {{"shear_angle[rad]", angle_at(state.load)},
-            {"shear_force[N]", moment / Cell::periods(scene, placement)[0]},
-            {"shear_moment[N.mm]", moment}};
+    return row(angle_at(state.load),
+               moment / Cell::periods(scene, placement)[0],
+               moment);
   }
 } // namespace fiberloom

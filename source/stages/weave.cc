@@ -182,6 +182,7 @@ namespace fiberloom
   CurveRow
   Weave::curve(const State &state, const std::vector<BodyVector> &) const
   {
-    return {{"allowed_overlap[mm]", (1 - state.load) * full_overlap}};
+    return {
+      {{"allowed_overlap", Quantity::length}, (1 - state.load) * full_overlap}};
   }
 } // namespace fiberloom

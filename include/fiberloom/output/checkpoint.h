@@ -13,6 +13,8 @@
 
 #include <fiberloom/model/state.h>
 
+#include <fiberloom/stages/column.h>
+
 #include <fiberloom/output/fields.h>
 
 #include <mpi.h>
@@ -31,6 +33,7 @@ namespace fiberloom
   struct OutputRecord
   {
     std::map<std::string, std::string>          tables;       // text by file
+    std::vector<Column>                         columns;      // of the curve
     std::map<std::string, FieldSeries::Entries> fields;       // by series
     std::uint64_t                               log_size = 0; // [bytes]
   };

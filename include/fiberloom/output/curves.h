@@ -29,24 +29,38 @@ namespace fiberloom
     void
     append(const Place &place, const CurveRow &values);
 
-    /** The values of @p column over the rows of a stage, NaN where empty. */
+    /** The columns of a former curve, of which continue_from() knows the
+     * headings only. */
+    void
+    continue_columns(const std::vector<Column> &former);
+
+    /** In the order of their appearance. */
+    const std::vector<Column> &
+    described_columns() const
+    {
+      return described;
+    }
+
+    /** The values of a column over the rows of a stage, NaN where empty. */
     std::vector<double>
-    values(const unsigned int stage_index, const unsigned int column) const;
+    values(const unsigned int stage_index, const Column &column) const;
 
     /** Loads of the rows of a stage. */
     std::vector<double>
     loads(const unsigned int stage_index) const;
+
+  private:
+    void
+    describe(const Column &column);
+
+    std::vector<Column> described;
   };
 
-  /** A column's name in words: "force_warp[N]" as "force warp [N]". */
-  std::string
-  readable(std::string column);
-
   /**
-   * The loading curve of a stage as SVG: the bending moment [N.mm], or else all
-   * forces [N], or where there are none all moments [N.mm], or the pressure
-   * [MPa], over the strain, angle or fiber volume fraction that varies most,
-   * else over the load. Empty when there are not two points to draw. A
+   * The loading curve of a stage as SVG: its responses of one quantity, six at
+   * most and none that stays zero, over the deformation that varies most, else
+   * over the load. Moments are drawn before forces over an angle, after them
+   * over all others. Empty when there are not two points to draw. A
    * finite @p error is drawn as a band around the curves, over the largest of
    * their values.
    */

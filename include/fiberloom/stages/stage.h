@@ -15,6 +15,7 @@
 
 #include <fiberloom/solvers/equilibrium.h>
 
+#include <fiberloom/stages/column.h>
 #include <fiberloom/stages/way.h>
 
 #include <functional>
@@ -25,10 +26,6 @@
 
 namespace fiberloom
 {
-  /** One row of loading_curve.csv: columns in order, name with unit and value.
-   */
-  using CurveRow = std::vector<std::pair<std::string, double>>;
-
   /** What a stage shows to output after each accepted increment, on every rank;
    * a test also where it begins, as increment 0. */
   struct IncrementReport
