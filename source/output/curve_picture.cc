@@ -125,31 +125,24 @@ namespace fiberloom
       quantities.push_back(Quantity::pressure);
       for (const Quantity quantity : quantities)
         {
-          std::vector<double> sizes;
+          plot.lines.clear();
           for (const Line &line : responses)
             if (line.column.quantity == quantity)
-              {
-                plot.lines.push_back(line);
-                sizes.push_back(largest_value(line.values));
-              }
-          std::sort(sizes.rbegin(), sizes.rend());
-          if (sizes.empty() || sizes.front() == 0)
-            {
-              plot.lines.clear();
-              continue;
-            }
-          const double least = std::max(
-            rounding * sizes.front(),
-            sizes[std::min<std::size_t>(most_lines, sizes.size()) - 1]);
-          plot.lines.erase(std::remove_if(plot.lines.begin(),
-                                          plot.lines.end(),
-                                          [least](const Line &line) {
-                                            return largest_value(line.values) <
-                                                   least;
-                                          }),
-                           plot.lines.end());
-          plot.lines.resize(
-            std::min<std::size_t>(most_lines, plot.lines.size()));
+              plot.lines.push_back(line);
+          std::stable_sort(plot.lines.begin(),
+                           plot.lines.end(),
+                           [](const Line &a, const Line &b) {
+                             return largest_value(a.values) >
+                                    largest_value(b.values);
+                           });
+          if (plot.lines.size() > most_lines)
+            plot.lines.resize(most_lines);
+          while (!plot.lines.empty() &&
+                 !(largest_value(plot.lines.back().values) >
+                   rounding * largest_value(plot.lines.front().values)))
+            plot.lines.pop_back();
+          if (plot.lines.empty())
+            continue;
           plot.quantity = name_of(quantity) + " [" + unit_of(quantity) + "]";
           return;
         }
@@ -342,11 +335,9 @@ namespace fiberloom
                 const unsigned int  stage_index,
                 const double        error)
   {
-    CurvePlot plot;
-    choose_lines(curve,
-                 stage_index,
-                 choose_abscissa(curve, stage_index, plot),
-                 plot);
+    CurvePlot      plot;
+    const Quantity abscissa = choose_abscissa(curve, stage_index, plot);
+    choose_lines(curve, stage_index, abscissa, plot);
     if (plot.lines.empty())
       return "";
 

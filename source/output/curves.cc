@@ -51,11 +51,11 @@ namespace fiberloom
   void
   LoadingCurve::describe(const Column &column)
   {
-    const std::string heading = column.heading();
     if (std::none_of(described.begin(),
                      described.end(),
-                     [&heading](const Column &known) {
-                       return known.heading() == heading;
+                     [&column](const Column &known) {
+                       return known.name == column.name &&
+                              known.quantity == column.quantity;
                      }))
       described.push_back(column);
   }

@@ -412,7 +412,7 @@ namespace fiberloom
       const MPI_Comm               comm;
       const std::function<void()> &ask;
       Outcome                      now   = {}; // without refinement
-      std::map<Quantity, double>   scale = {}; // of units
+      std::map<Quantity, double>   scale = {};
     };
 
 

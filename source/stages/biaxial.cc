@@ -5,8 +5,6 @@
 #include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
-#include <fiberloom/fabric/tow_family.h>
-
 #include <fiberloom/stages/biaxial.h>
 #include <fiberloom/stages/cell.h>
 
@@ -217,19 +215,13 @@ namespace fiberloom
     for (unsigned int d = 0; d < 2; ++d)
       if (free[d])
         strains[d] = free_strain(d, state);
-    CurveRow row;
-    for (const auto family : {Tow::Family::warp, Tow::Family::fill})
-      row.push_back({{"strain_" + family_name(family),
-                      Quantity::strain,
-                      Role::deformation,
-                      family},
-                     strains[family == Tow::Family::fill]});
-    for (const auto family : {Tow::Family::warp, Tow::Family::fill})
-      row.push_back({{"force_" + family_name(family),
-                      Quantity::force,
-                      Role::response,
-                      family},
-                     TowEnds::pull(scene, family, reactions)});
-    return row;
+    constexpr auto warp = Tow::Family::warp, fill = Tow::Family::fill;
+    return {
+      {{"strain_warp", Quantity::strain, Role::deformation, warp}, strains[0]},
+      {{"strain_fill", Quantity::strain, Role::deformation, fill}, strains[1]},
+      {{"force_warp", Quantity::force, Role::response, warp},
+       TowEnds::pull(scene, warp, reactions)},
+      {{"force_fill", Quantity::force, Role::response, fill},
+       TowEnds::pull(scene, fill, reactions)}};
   }
 } // namespace fiberloom

@@ -277,7 +277,7 @@ namespace fiberloom
               {{"force_per_width_shear", width}, reactions[body][2] / mean},
               {{"period_warp", Quantity::length, Role::detail, warp}, now[0]},
               {{"period_fill", Quantity::length, Role::detail, fill}, now[1]},
-              {{"shear_strain", Quantity::strain, Role::deformation},
+              {{"shear_strain", Quantity::strain},
                state.placements[body].position[2] / mean}};
     }
   } // namespace Cell

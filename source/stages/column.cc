@@ -7,33 +7,45 @@
 
 namespace fiberloom
 {
+  namespace
+  {
+    /** Name and unit. */
+    std::pair<const char *, const char *>
+    words_of(const Quantity quantity)
+    {
+      switch (quantity)
+        {
+          case Quantity::number:
+            return {"number", ""};
+          case Quantity::strain:
+            return {"strain", ""};
+          case Quantity::fraction:
+            return {"fraction", ""};
+          case Quantity::angle:
+            return {"angle", "rad"};
+          case Quantity::length:
+            return {"length", "mm"};
+          case Quantity::force:
+            return {"force", "N"};
+          case Quantity::force_per_width:
+            return {"force per width", "N/mm"};
+          case Quantity::moment:
+            return {"moment", "N.mm"};
+          case Quantity::pressure:
+            return {"pressure", "MPa"};
+          case Quantity::energy:
+            return {"energy", "N.mm"};
+        }
+      return {"", ""};
+    }
+  } // namespace
+
+
+
   std::string
   name_of(const Quantity quantity)
   {
-    switch (quantity)
-      {
-        case Quantity::number:
-          return "number";
-        case Quantity::strain:
-          return "strain";
-        case Quantity::fraction:
-          return "fraction";
-        case Quantity::angle:
-          return "angle";
-        case Quantity::length:
-          return "length";
-        case Quantity::force:
-          return "force";
-        case Quantity::force_per_width:
-          return "force per width";
-        case Quantity::moment:
-          return "moment";
-        case Quantity::pressure:
-          return "pressure";
-        case Quantity::energy:
-          return "energy";
-      }
-    return "";
+    return words_of(quantity).first;
   }
 
 
@@ -41,24 +53,7 @@ namespace fiberloom
   std::string
   unit_of(const Quantity quantity)
   {
-    switch (quantity)
-      {
-        case Quantity::angle:
-          return "rad";
-        case Quantity::length:
-          return "mm";
-        case Quantity::force:
-          return "N";
-        case Quantity::force_per_width:
-          return "N/mm";
-        case Quantity::moment:
-        case Quantity::energy:
-          return "N.mm";
-        case Quantity::pressure:
-          return "MPa";
-        default:
-          return "";
-      }
+    return words_of(quantity).second;
   }
 
 

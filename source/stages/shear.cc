@@ -19,6 +19,15 @@ namespace fiberloom
     {
       return along_x ? .5 : -.5;
     }
+
+    /** Of a shear @p angle [rad] and what it takes, [N] and [N mm]. */
+    CurveRow
+    curve_row(const double angle, const double force, const double moment)
+    {
+      return {{{"shear_angle", Quantity::angle, Role::deformation}, angle},
+              {{"shear_force", Quantity::force, Role::response}, force},
+              {{"shear_moment", Quantity::moment}, moment}};
+    }
   } // namespace
 
 
@@ -114,20 +123,6 @@ namespace fiberloom
 
 
 
-  namespace
-  {
-    /** Of a shear @p angle [rad] and what it takes, [N] and [N mm]. */
-    CurveRow
-    row(const double angle, const double force, const double moment)
-    {
-      return {{{"shear_angle", Quantity::angle, Role::deformation}, angle},
-              {{"shear_force", Quantity::force, Role::response}, force},
-              {{"shear_moment", Quantity::moment}, moment}};
-    }
-  } // namespace
-
-
-
   CurveRow
   Shear::curve(const State                   &state,
                const std::vector<BodyVector> &reactions) const
@@ -147,7 +142,7 @@ namespace fiberloom
                     half_turn(runs_along_x(b)) * reactions[b][5];
           length = std::max(length, 2 * std::abs(from.x()));
         }
-    return row(angle_at(state.load), moment / length, moment);
+    return curve_row(angle_at(state.load), moment / length, moment);
   }
 
 
@@ -159,8 +154,8 @@ namespace fiberloom
     const Placement &placement = state.placements[Cell::body];
     const double     moment =
       reactions[Cell::body].head<3>().dot(Cell::shear_rate(scene, placement));
-    return row(angle_at(state.load),
-               moment / Cell::periods(scene, placement)[0],
-               moment);
+    return curve_row(angle_at(state.load),
+                     moment / Cell::periods(scene, placement)[0],
+                     moment);
   }
 } // namespace fiberloom
