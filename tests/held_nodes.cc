@@ -3,8 +3,9 @@
 
 // The system of equations with nodes held by rigid bodies that have turned far:
 // its residual is the slope of the energy along its unknowns, its matrix the
-// slope of the residual, held nodes keep what is held, and the reactions of the
-// bodies balance the forces on the nodes.
+// slope of the residual, also where it is restricted to one fiber, held nodes
+// keep what is held, and the reactions of the bodies balance the forces on the
+// nodes.
 
 #include <deal.II/base/mpi.h>
 
@@ -279,6 +280,48 @@ namespace
     checks.below("moments balance", moment.norm() / scale, 1e-10);
   }
 
+  /** A system restricted to the last fiber is right in its rows, and only
+   * there. */
+  void
+  check_restricted(Checks &checks, SampleModel &model, System &system)
+  {
+    const auto        &line = model.mesh.lines()[2];
+    const unsigned int i = 9 * line.first_node, n = 9 * line.n_nodes();
+    Differences        differences(model, system);
+    const auto         gain = [&]() {
+      return system.energy(differences.moved(i + n / 2, .01), model.contacts) -
+             system.energy(model.state, model.contacts);
+    };
+    const Eigen::VectorXd residual = differences.residual(model.state);
+    const Eigen::MatrixXd K        = differences.matrix();
+    const double          energy   = gain();
+
+    std::vector<char> blocks(system.layout().n_blocks(), false);
+    std::fill_n(blocks.begin() + line.first_node, line.n_nodes(), true);
+    system.restrict_to(blocks);
+    system.reinit(model.contacts);
+    const Eigen::VectorXd its_residual = differences.residual(model.state);
+    const Eigen::MatrixXd its_K        = differences.matrix();
+    checks.below("restricted: residual of the fiber",
+                 relative_error(its_residual.segment(i, n),
+                                residual.segment(i, n)),
+                 1e-12);
+    checks.below("restricted: rows of the fiber",
+                 relative_error(its_K.middleRows(i, n), K.middleRows(i, n)),
+                 1e-12);
+    checks.below("restricted: gain of energy",
+                 std::abs(gain() / energy - 1),
+                 1e-10);
+    checks.below("restricted: rows of the first fiber",
+                 its_K.topRows(9).norm() / K.topRows(9).norm(),
+                 .5);
+    system.restrict_to({});
+    system.reinit(model.contacts);
+    checks.below("all again: matrix",
+                 relative_error(differences.matrix(), K),
+                 1e-12);
+  }
+
   /**
    * A section that spins but may not tilt one way. Its unknowns turn with it,
    * so that the matrix is compared with second differences of the potential.
@@ -391,6 +434,7 @@ main(int argc, char **argv)
   checks.below("matrix against residual",
                relative_error(K, .5 * (slope + slope.transpose())),
                1e-6);
+  check_restricted(checks, model, system);
 
   differences.residual(model.state);
   for (unsigned int b = 0; b < 2; ++b)

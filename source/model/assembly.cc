@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace fiberloom
 {
@@ -15,10 +16,19 @@ namespace fiberloom
                      BlockMatrix       &matrix)
     : motion(motion)
     , layout(layout)
-    , matrix(matrix)
     , supports(supports)
+    , tangent(&matrix)
     , sum(layout.n_owned_dofs())
   {}
+
+
+
+  void
+  Assembly::restrict_to(std::vector<char> blocks, BlockMatrix &matrix)
+  {
+    taken   = std::move(blocks);
+    tangent = &matrix;
+  }
 
 
 
@@ -34,8 +44,8 @@ namespace fiberloom
     std::fill(sum.begin(), sum.end(), 0.);
     if (with_tangent)
       {
-        matrix.set_zero();
-        matrix.remove_outer_products();
+        tangent->set_zero();
+        tangent->remove_outer_products();
       }
   }
 
@@ -57,6 +67,11 @@ namespace fiberloom
     const auto owns_body = [this](const unsigned int body) {
       return layout.local_block(layout.body_block(body)) >= 0;
     };
+    if (is_restricted() &&
+        std::none_of(nodes, nodes + n, [&](const unsigned int node) {
+          return takes(original(node, images));
+        }))
+      return false;
     for (unsigned int a = 0; a < n; ++a)
       {
         unsigned int node = nodes[a];
@@ -111,7 +126,7 @@ namespace fiberloom
             column.push_back(fixed ? 0 : c[i]);
           }
       }
-    matrix.add_outer_product(
+    tangent->add_outer_product(
       blocks,
       Eigen::Map<const Eigen::VectorXd>(row.data(), row.size()),
       Eigen::Map<const Eigen::VectorXd>(column.data(), column.size()));

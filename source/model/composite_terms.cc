@@ -130,8 +130,8 @@ namespace fiberloom
           continue;
         for (unsigned int b = 0; b < group.nodes.size(); ++b)
           {
-            double            *entries = sum.matrix.block(row, group.nodes[b]);
-            const unsigned int width   = group.size(b);
+            double *entries          = sum.matrix().block(row, group.nodes[b]);
+            const unsigned int width = group.size(b);
             for (unsigned int i = 0; i < group.size(a); ++i)
               for (unsigned int v = 0; v < width / 3; ++v)
                 entries[i * width + 3 * v + i % 3] +=

@@ -48,11 +48,14 @@ namespace fiberloom
 
   void
   ContactTerm::visit_couplings(const std::vector<ContactElement> &contacts,
+                               const Assembly                    &sum,
                                const CouplingVisitor             &couple) const
   {
     std::vector<unsigned int> blocks;
     for (const ContactElement &contact : contacts)
       {
+        if (!is_taken(contact, sum))
+          continue;
         blocks.clear();
         append_nodes(seen, contact, blocks);
         std::sort(blocks.begin(), blocks.end());
@@ -71,10 +74,14 @@ namespace fiberloom
     const DofVector q = mesh.with_images(state.q);
     PotentialGroup  normal;
     for (ContactElement &contact : contacts)
-      if (contact.following == ContactElement::Points::fixed)
-        add_fixed(q, contact, sum);
-      else
-        add_following(q, contact, normal, sum);
+      {
+        if (!is_taken(contact, sum))
+          continue;
+        if (contact.following == ContactElement::Points::fixed)
+          add_fixed(q, contact, sum);
+        else
+          add_following(q, contact, normal, sum);
+      }
   }
 
 
@@ -193,16 +200,14 @@ namespace fiberloom
 
   double
   ContactTerm::energy(const State                       &state,
-                      const std::vector<ContactElement> &contacts) const
+                      const std::vector<ContactElement> &contacts,
+                      const Assembly                    &sum) const
   {
-    const DofVector q       = mesh.with_images(state.q);
-    double          energy  = 0;
-    const auto      is_mine = [this](const unsigned int node) {
-      return layout.local_block(
-               seen_nodes.empty() ? node : seen_nodes[node].node) >= 0;
-    };
+    const DofVector q      = mesh.with_images(state.q);
+    double          energy = 0;
     for (const ContactElement &contact : contacts)
-      if (is_mine(contact.first_nodes[0]))
+      if (layout.local_block(original(contact.first_nodes[0])) >= 0 &&
+          is_taken(contact, sum))
         {
           const SectionPair x = section_pair(contact, q);
           if (contact.following == ContactElement::Points::fixed)

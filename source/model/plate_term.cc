@@ -147,7 +147,7 @@ namespace fiberloom
       return;
     sum.forces(local)[2] += spring() * state.placements[body].position.z();
     if (sum.with_tangent())
-      sum.matrix.block(block, block)[6 * 2 + 2] += spring();
+      sum.matrix().block(block, block)[6 * 2 + 2] += spring();
   }
 
 

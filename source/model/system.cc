@@ -58,10 +58,12 @@ namespace fiberloom
     , system_matrix(numbering,
                     rotation_lever(mesh),
                     matrix_weight(composite, mesh))
+    , restricted_matrix(numbering,
+                        rotation_lever(mesh),
+                        matrix_weight(composite, mesh))
     , sum(movement, supports, numbering, system_matrix)
     , contact_term(mesh, numbering)
     , stiffness(mesh.smallest_stiffness())
-    , fixed_pattern(numbering.owned_blocks().size())
     , rhs(numbering.n_owned_dofs())
     , body_reactions(supports.bodies.size(), BodyVector::Zero())
     , pending(numbering.n_dofs(), 0.)
@@ -143,20 +145,34 @@ namespace fiberloom
 
 
 
-  void
-  System::set_fixed_pattern()
+  std::vector<std::vector<unsigned int>>
+  System::fixed_couplings() const
   {
+    std::vector<std::vector<unsigned int>> pattern(
+      numbering.owned_blocks().size());
     for (const auto &term : terms)
-      term->visit_couplings([this](std::vector<unsigned int> &blocks) {
+      term->visit_couplings([&](std::vector<unsigned int> &blocks) {
         append_bodies(movement, supports, numbering, originals, blocks);
-        couple(numbering, blocks, fixed_pattern);
+        if (std::any_of(blocks.begin(),
+                        blocks.end(),
+                        [this](const unsigned int block) {
+                          return sum.takes(block);
+                        }))
+          couple(numbering, blocks, pattern);
       });
-    for (unsigned int b = 0; b < supports.bodies.size(); ++b)
-      couple(numbering, {numbering.body_block(b)}, fixed_pattern);
-    for (unsigned int n = 0; n < originals.size(); ++n)
-      if (movement.is_image(n)) // unknowns that stay zero
-        couple(numbering, {n}, fixed_pattern);
-    sort_unique(fixed_pattern);
+    // Also what no term touches has a diagonal.
+    for (const unsigned int block : numbering.owned_blocks())
+      couple(numbering, {block}, pattern);
+    sort_unique(pattern);
+    return pattern;
+  }
+
+
+
+  void
+  System::restrict_to(const std::vector<char> &blocks)
+  {
+    sum.restrict_to(blocks, blocks.empty() ? system_matrix : restricted_matrix);
   }
 
 
@@ -164,11 +180,12 @@ namespace fiberloom
   void
   System::reinit(const std::vector<ContactElement> &contacts)
   {
-    if (system_matrix.pattern_version() == 0)
-      set_fixed_pattern();
+    if (!sum.is_restricted() && fixed_pattern.empty())
+      fixed_pattern = fixed_couplings();
 
-    auto pattern = fixed_pattern;
+    auto pattern = sum.is_restricted() ? fixed_couplings() : fixed_pattern;
     contact_term.visit_couplings(contacts,
+                                 sum,
                                  [&](std::vector<unsigned int> &blocks) {
                                    append_bodies(movement,
                                                  supports,
@@ -178,7 +195,7 @@ namespace fiberloom
                                    couple(numbering, blocks, pattern);
                                  });
     sort_unique(pattern);
-    system_matrix.reinit(std::move(pattern));
+    matrix().reinit(std::move(pattern));
   }
 
 
@@ -270,7 +287,7 @@ namespace fiberloom
         // anew at each placement, the slope of the residual is unsymmetric.
         if (sum.with_tangent())
           Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(
-            system_matrix.block(block, block))
+            matrix().block(block, block))
             .bottomRightCorner<3, 3>() -= .5 * cross_matrix(load.tail<3>());
       }
   }
@@ -286,7 +303,7 @@ namespace fiberloom
         const unsigned int row_block = owned[row];
         const unsigned int height    = numbering.size(row_block);
         const unsigned int row_dof   = numbering.first_dof(row_block);
-        const auto        &columns   = system_matrix.columns(row);
+        const auto        &columns   = matrix().columns(row);
         for (unsigned int c = 0; c < columns.size(); ++c)
           {
             if (!movement.has_fixed(row_block) &&
@@ -294,7 +311,7 @@ namespace fiberloom
               continue;
             const unsigned int width      = numbering.size(columns[c]);
             const unsigned int column_dof = numbering.first_dof(columns[c]);
-            double            *entries    = system_matrix.values(row, c);
+            double            *entries    = matrix().values(row, c);
             for (unsigned int i = 0; i < height; ++i)
               for (unsigned int j = 0; j < width; ++j)
                 {

@@ -13,7 +13,7 @@ namespace fiberloom
   System::energy(const State                       &state,
                  const std::vector<ContactElement> &contacts) const
   {
-    double energy = contact_term.energy(state, contacts);
+    double energy = contact_term.energy(state, contacts, sum);
     for (const auto &term : terms)
       energy += term->energy(state);
     return dealii::Utilities::MPI::sum(energy, numbering.communicator());

@@ -21,6 +21,7 @@ namespace fiberloom
   MovingFibers::release()
   {
     moving.clear();
+    system.restrict_to(moving);
   }
 
 
@@ -43,6 +44,7 @@ namespace fiberloom
                     mesh.lines()[fiber].n_nodes(),
                     true);
     iterations = 0;
+    system.restrict_to(moving);
   }
 
 
@@ -71,8 +73,12 @@ namespace fiberloom
 
 
   bool
-  MovingFibers::are_worth_it(const double part, const unsigned int most)
+  MovingFibers::are_worth_it(const std::function<void()> &measure,
+                             const double                 part,
+                             const unsigned int           most)
   {
+    system.restrict_to({});
+    measure();
     const std::vector<double> all   = system.free_residual();
     std::vector<double>       their = all;
     restrict(their);
@@ -87,6 +93,9 @@ namespace fiberloom
     outside             = dealii::Utilities::MPI::max(outside, comm);
     if (iterations == 0)
       first = inside;
-    return iterations++ < most && inside >= std::max(outside, part * first);
+    if (iterations++ == most || inside < std::max(outside, part * first))
+      return false;
+    system.restrict_to(moving);
+    return true;
   }
 } // namespace fiberloom

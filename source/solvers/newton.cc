@@ -67,19 +67,18 @@ namespace fiberloom
       {
         refresh(state, problem);
         const bool moves = system.motion().moves(state, problem.targets);
+        if (!moving.are_all() && !goes_on_with_few(state, problem))
+          {
+            moving.release();
+            system.reinit(increment.contacts);
+          }
         assemble(state,
                  problem,
                  !moves && is_exact_worth_it(problem) ? Curvature::exact :
                                                         definite(problem));
-        if (!moving.are_all() &&
-            !moving.are_worth_it(poor_model, largest_change))
-          {
-            moving.release();
-            if (is_exact && !is_exact_worth_it(problem))
-              continue;
-          }
         restrict_to_moving();
-        measure(problem);
+        if (moving.are_all())
+          measure(problem);
         watch({residual, damping, last_factor});
         if (!moves && n > 0 && depths_are_known(problem) && stiffen())
           continue;
@@ -159,6 +158,7 @@ namespace fiberloom
     limits_are_new = false;
     is_near_enough = false;
     ends_exactly   = false;
+    exact_below    = 1e300;
     moving.release();
   }
 
@@ -225,8 +225,23 @@ namespace fiberloom
   bool
   Newton::is_exact_worth_it(const Problem &problem) const
   {
-    return trusted &&
-           (!problem.is_first || !moving.are_all() || residual < poor_model);
+    return trusted && (!moving.are_all() ||
+                       (residual < exact_below &&
+                        (!problem.is_first || residual < poor_model)));
+  }
+
+
+
+  bool
+  Newton::goes_on_with_few(const State &state, const Problem &problem)
+  {
+    return moving.are_worth_it(
+      [&]() {
+        increment.measure(state, problem);
+        measure(problem);
+      },
+      poor_model,
+      largest_change);
   }
 
 
@@ -388,11 +403,15 @@ namespace fiberloom
       bounds.add_to_matrix();
     if (is_exact && !solve_linear(state, least, Indefinite::refused, step))
       {
+        if (moving.are_all() && !problem.rule.friction)
+          exact_below = longest_cut * residual;
         assemble(state, problem, definite(problem));
         restrict_to_moving();
         if (is_bounded)
           bounds.add_to_matrix();
       }
+    else if (is_exact && moving.are_all())
+      exact_below = 1e300;
     if (!is_exact)
       solve_linear(state, least, Indefinite::shifted, step);
   }
@@ -497,7 +516,8 @@ namespace fiberloom
     const auto goes_down = [&]() {
       // Where energies are the same but for rounding, slopes decide.
       return std::abs(found.energy - here) <= rounding * std::abs(here) ?
-               slope(found.state, problem, step) <= -step.slope :
+               dot(residual_at(found.state, problem), step.solution) <=
+                 -step.slope :
                found.energy < here;
     };
     unsigned int cuts = 0;
@@ -595,13 +615,15 @@ namespace fiberloom
 
 
 
-  double
-  Newton::slope(const State &there, const Problem &problem, const Step &step)
+  std::vector<double>
+  Newton::residual_at(const State &there, const Problem &problem)
   {
     ScopedTimer                 timer(statistics.seconds.assembly);
     std::vector<ContactElement> contacts = increment.contacts;
     system.assemble_residual(there, problem.targets, contacts);
-    return dot(system.free_residual(), step.solution);
+    std::vector<double> residual = system.free_residual();
+    moving.restrict(residual);
+    return residual;
   }
 
 
@@ -616,12 +638,9 @@ namespace fiberloom
     for (unsigned int k = 0; k < most_corrections; ++k)
       {
         // What the linear model of the step does not explain.
-        std::vector<ContactElement> contacts = increment.contacts;
-        {
-          ScopedTimer timer(statistics.seconds.assembly);
-          system.assemble_residual(there.state, problem.targets, contacts);
-        }
-        std::vector<double> defect = system.free_residual(), solution;
+        std::vector<double> defect = residual_at(there.state, problem);
+        const double        before = dot(defect, defect);
+        std::vector<double> solution;
         for (unsigned int i = 0; i < defect.size(); ++i)
           defect[i] = there.factor * step.response[i] - gradient[i] - defect[i];
         moving.restrict(defect);
@@ -638,23 +657,30 @@ namespace fiberloom
             break;
         }
         add(statistics, outcome);
+        const auto is_nearer = [&](const State &next) {
+          const std::vector<double> left = residual_at(next, problem);
+          return dot(left, left) < before;
+        };
         Step correction;
         correction.increment = system.gather(solution);
         correction.move = system.motion().largest_move(correction.increment);
         if (!(correction.move < (largest_move > 0 ? largest_move : 1e300)))
           break;
-        ScopedTimer timer(statistics.seconds.assembly);
-        double      part = 1;
+        double part = 1;
         for (; part >= poor_model; part *= longest_cut)
           {
-            const Eigen::VectorXd way     = total + part * correction.increment;
-            State                 next    = moved(state, way, 1);
-            const double          reached = energy(state, next, problem);
-            if (!(reached < there.energy))
+            Step way;
+            way.increment = total + part * correction.increment;
+            Reached next  = at(state, problem, way, 1);
+            // Of energies that are the same but for rounding, forces decide.
+            const bool is_same = std::abs(next.energy - there.energy) <=
+                                 rounding * std::abs(there.energy);
+            if (is_same ? !is_nearer(next.state) :
+                          !(next.energy < there.energy))
               continue;
-            there.energy = reached;
-            there.state  = std::move(next);
-            total        = way;
+            there.energy = next.energy;
+            there.state  = std::move(next.state);
+            total        = way.increment;
             break;
           }
         if (part < poor_model)

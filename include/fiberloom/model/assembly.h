@@ -31,6 +31,24 @@ namespace fiberloom
              const BlockLayout &layout,
              BlockMatrix       &matrix);
 
+    /** From here on, only what touches one of these blocks adds up, all if
+     * there are none; the tangent in @p matrix . */
+    void
+    restrict_to(std::vector<char> blocks, BlockMatrix &matrix);
+
+    bool
+    is_restricted() const
+    {
+      return !taken.empty();
+    }
+
+    /** Whether what touches @p block adds up. */
+    bool
+    takes(const unsigned int block) const
+    {
+      return taken.empty() || taken[block];
+    }
+
     /** From zero, with the tangent if that is to be added as well, at @p state
      * , which has to stay until all is added. @p curvature : of fibers, and of
      * contacts whose points follow them. */
@@ -59,8 +77,15 @@ namespace fiberloom
       return curvature_of_energy;
     }
 
-    /** @p images : what the nodes are images of; empty where they are nodes of
-     * the system. So for scatter(). */
+    BlockMatrix &
+    matrix()
+    {
+      return *tangent;
+    }
+
+    /** Whether this rank owns something of what is to be added. @p images :
+     * what the nodes are images of; empty where they are nodes of the system.
+     * So for scatter(). */
     bool
     touches_owned(const unsigned int           *nodes,
                   const unsigned int            n,
@@ -135,10 +160,11 @@ namespace fiberloom
 
     const Motion      &motion;
     const BlockLayout &layout;
-    BlockMatrix       &matrix;
 
   private:
     const Supports     &supports;
+    BlockMatrix        *tangent;
+    std::vector<char>   taken; // blocks; empty: all
     const State        *state               = nullptr;
     bool                adds_tangent        = false;
     Curvature           curvature_of_energy = Curvature::exact;
@@ -190,7 +216,7 @@ namespace fiberloom
           transformed.force(a);
         if (adds_tangent)
           for (unsigned int b = 0; b < transformed.n_blocks(); ++b)
-            Eigen::Map<Block>(matrix.block(row, transformed.block(b)),
+            Eigen::Map<Block>(tangent->block(row, transformed.block(b)),
                               layout.size(row),
                               layout.size(transformed.block(b))) +=
               transformed.stiffness(a, b);
@@ -225,7 +251,7 @@ namespace fiberloom
           for (unsigned int b = 0; b < group.nodes.size(); ++b)
             {
               const unsigned int column = original(group.nodes[b], images);
-              Eigen::Map<Block>(matrix.block(row, column),
+              Eigen::Map<Block>(tangent->block(row, column),
                                 layout.size(row),
                                 layout.size(column)) += group.stiffness(a, b);
             }

@@ -22,8 +22,10 @@ namespace fiberloom
     /** Arguments are kept by reference. */
     ContactTerm(const FiberMesh &mesh, const BlockLayout &layout);
 
+    /** Of those that @p sum takes. */
     void
     visit_couplings(const std::vector<ContactElement> &contacts,
+                    const Assembly                    &sum,
                     const CouplingVisitor             &couple) const;
 
     /** Stores forces in @p contacts . */
@@ -38,10 +40,11 @@ namespace fiberloom
                   const std::vector<ContactElement> &contacts,
                   Assembly                          &sum) const;
 
-    /** This rank's part [N mm]. */
+    /** This rank's part of those that @p sum takes [N mm]. */
     double
     energy(const State                       &state,
-           const std::vector<ContactElement> &contacts) const;
+           const std::vector<ContactElement> &contacts,
+           const Assembly                    &sum) const;
 
     /** What nodes that contact sees are images of; empty where it sees those of
      * the mesh. */
@@ -52,6 +55,21 @@ namespace fiberloom
     }
 
   private:
+    /** What contact calls @p node. */
+    unsigned int
+    original(const unsigned int node) const
+    {
+      return seen_nodes.empty() ? node : seen_nodes[node].node;
+    }
+
+    /** Whether one of the fibers is among those that @p sum takes. */
+    bool
+    is_taken(const ContactElement &contact, const Assembly &sum) const
+    {
+      return sum.takes(original(contact.first_nodes[0])) ||
+             sum.takes(original(contact.first_nodes[1]));
+    }
+
     /** Whose points stand still. */
     void
     add_fixed(const DofVector &q, ContactElement &contact, Assembly &sum) const;

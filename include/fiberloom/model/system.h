@@ -37,6 +37,15 @@ namespace fiberloom
            MPI_Comm         comm,
            const Composite *composite = nullptr);
 
+    /**
+     * From here on, only terms and contacts that touch one of @p blocks , all
+     * if there are none, in a matrix of its own: right in the rows of these
+     * blocks, and no use in others. Energies lack what contacts elsewhere
+     * store. reinit() has to follow.
+     */
+    void
+    restrict_to(const std::vector<char> &blocks);
+
     /** Sets the pattern for terms and @p contacts . */
     void
     reinit(const std::vector<ContactElement> &contacts);
@@ -142,7 +151,7 @@ namespace fiberloom
     BlockMatrix &
     matrix()
     {
-      return system_matrix;
+      return sum.matrix();
     }
 
     /** Right hand side in the order of the owned dofs. */
@@ -201,9 +210,9 @@ namespace fiberloom
                  std::vector<ContactElement> &contacts,
                  const bool                   with_tangent);
 
-    /** Of all but contacts. */
-    void
-    set_fixed_pattern();
+    /** Of all but contacts, by owned rows. */
+    std::vector<std::vector<unsigned int>>
+    fixed_couplings() const;
 
     /** What bodies have to exert, from the residual without loads on them. */
     void
@@ -228,7 +237,7 @@ namespace fiberloom
     const std::vector<NodeImage> &originals;
     BlockLayout                   numbering;
     Motion                        movement;
-    BlockMatrix                   system_matrix;
+    BlockMatrix                   system_matrix, restricted_matrix;
     Assembly                      sum;
 
     // Contacts, which come and go, are apart from those that stay.

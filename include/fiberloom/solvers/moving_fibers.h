@@ -6,6 +6,7 @@
 
 #include <fiberloom/model/system.h>
 
+#include <functional>
 #include <vector>
 
 namespace fiberloom
@@ -15,7 +16,7 @@ namespace fiberloom
    * all others hardly move and so may as well stand still. The equations of
    * these few cost little, and most of what the others will have to do depends
    * on where they come to rest (nonlinear elimination: Cai and Li, SIAM J. Sci.
-   * Comput. 33, 2011).
+   * Comput. 33, 2011). The system is restricted to them.
    */
   class MovingFibers
   {
@@ -45,11 +46,13 @@ namespace fiberloom
     void
     restrict_matrix() const;
 
-    /** Takes note of what is out of balance. Whether theirs is still above @p
-     * part of what it was and above that of the others, in fewer than @p most
-     * iterations. */
+    /** Takes note of what is out of balance, where @p measure assembles the
+     * residual of all. Whether theirs is still above @p part of what it was and
+     * above that of the others, in fewer than @p most iterations. */
     bool
-    are_worth_it(const double part, const unsigned int most);
+    are_worth_it(const std::function<void()> &measure,
+                 const double                 part,
+                 const unsigned int           most);
 
   private:
     const FiberMesh  &mesh;

@@ -162,9 +162,14 @@ namespace fiberloom
     has_halved(const State &state, const Problem &problem);
 
     /** Whether the Hessian may be definite: the last step did not tell
-     * otherwise, and a weave's forces are about right. */
+     * otherwise, nor did a Hessian of all fibers shortly before, and a weave's
+     * forces are about right. */
     bool
     is_exact_worth_it(const Problem &problem) const;
+
+    /** Whether the few fibers that move are still what is out of balance. */
+    bool
+    goes_on_with_few(const State &state, const Problem &problem);
 
     /** Whether the fully regenerated problem is in balance; assembled anew
      * where it is not. */
@@ -276,9 +281,10 @@ namespace fiberloom
     void
     choose_moving(const DofVector &way);
 
-    /** Of the energy at @p there , along @p step [N mm]. */
-    double
-    slope(const State &there, const Problem &problem, const Step &step);
+    /** What is out of balance at @p there of the fibers that move, the owned
+     * dofs. */
+    std::vector<double>
+    residual_at(const State &there, const Problem &problem);
 
     /** Adds corrections to what @p step reached as long as they lower the
      * energy. */
@@ -328,6 +334,7 @@ namespace fiberloom
     bool         is_bounded           = false; // fibers, in this iteration
     bool         is_exact             = true;  // the tangent of this iteration
     bool         trusted              = true;  // the model of the last one
+    double       exact_below          = 1e300; // residual
     bool         is_near_enough       = false; // as Problem asks
     bool         ends_exactly         = false; // the step before, or it cannot
     double       damping              = 0;     // over E r
