@@ -311,7 +311,7 @@ namespace
                  1e-12);
     checks.below("restricted: gain of energy",
                  std::abs(gain() / energy - 1),
-                 1e-10);
+                 1e-8);
     checks.below("restricted: rows of the first fiber",
                  its_K.topRows(9).norm() / K.topRows(9).norm(),
                  .5);
