@@ -166,9 +166,9 @@ namespace fiberloom
                     Allowed::whole(1, most_iterations));
       catalogue.add("Coarser meshes",
                     weaving.coarser_meshes,
-                    "Meshes with half as many elements each, on which the fast "
-                    "path weaves first, as long as two elements are left for "
-                    "each tow that a fiber crosses.",
+                    "Meshes with half as many elements each, but two for each "
+                    "tow that a fiber crosses, on which the fast path weaves "
+                    "first, as long as a quarter of the elements is saved.",
                     Allowed::whole(0, 8));
       catalogue.leave_section();
     }

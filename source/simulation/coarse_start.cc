@@ -22,8 +22,11 @@ namespace fiberloom
     // goes on: it changes the energy by a hundredth.
     constexpr double near_enough = 1e-5;
 
-    /** Half as many elements, and softer contact; whether that still shows each
-     * crossing. */
+    // A coarser mesh pays if it has no more than this part of the elements.
+    constexpr double coarser = .75;
+
+    /** Half as many elements, but enough to show each crossing, and softer
+     * contact; whether that pays. */
     bool
     coarsen(Parameters &parameters)
     {
@@ -39,9 +42,10 @@ namespace fiberloom
       parameters.weaving.near_enough = near_enough;
       FabricParameters &fabric       = parameters.fabric;
       const auto halve = [](TowParameters &tows, const unsigned int crossed) {
-        tows.elements_per_fiber = (tows.elements_per_fiber + 1) / 2;
-        return tows.elements_per_fiber >=
-               TowParameters::least_elements * crossed;
+        const unsigned int before = tows.elements_per_fiber;
+        tows.elements_per_fiber =
+          std::max((before + 1) / 2, TowParameters::least_elements * crossed);
+        return tows.elements_per_fiber <= coarser * before;
       };
       const bool warp = halve(fabric.warp, fabric.fill.tows),
                  fill = halve(fabric.fill, fabric.warp.tows);
