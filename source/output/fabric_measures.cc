@@ -114,44 +114,52 @@ namespace fiberloom
       Measures
       result() const
       {
-        const double                      thickness = high - low;
-        Measures                          all   = {{"thickness[mm]", thickness},
-                                                   {"areal_weight[kg/m2]", kg_per_m2 * mass / part.area},
-                                                   {"fiber_volume_fraction",
-                                                    volume / (part.area * thickness)},
-                                                   {"fiber_volume_fraction_of_tows", in_tows.value()},
-                                                   {"measured_area[mm2]", part.area}};
-        const std::array<const char *, 2> names = {{"_warp", "_fill"}};
-        const auto                        add   = [&](const std::string &name,
-                             const std::string &unit,
+        const double thickness = high - low;
+        Measures     all       = {{{"thickness", Quantity::length}, thickness},
+                                  {{"areal_weight", Quantity::areal_weight},
+                                   kg_per_m2 * mass / part.area},
+                                  {{"fiber_volume_fraction", Quantity::fraction},
+                                   volume / (part.area * thickness)},
+                                  {{"fiber_volume_fraction_of_tows", Quantity::fraction},
+                                   in_tows.value()},
+                                  {{"measured_area", Quantity::area}, part.area}};
+        const auto   add       = [&](const std::string &name,
+                             const Quantity     quantity,
                              const auto        &value) {
-          for (unsigned int f = 0; f < 2; ++f)
-            all.emplace_back(name + names[f] + unit, value(families[f]));
+          for (const auto family : {Tow::Family::warp, Tow::Family::fill})
+            all.push_back(
+              {{name + (family == Tow::Family::warp ? "_warp" : "_fill"),
+                quantity,
+                Role::detail,
+                family},
+               value(families[family == Tow::Family::warp ? 0 : 1])});
         };
         using Family = FamilyMeasures;
-        add("crimp", "", [](const Family &f) { return f.crimp.value(); });
-        add("crimp_spread", "", [](const Family &f) {
+        add("crimp", Quantity::strain, [](const Family &f) {
+          return f.crimp.value();
+        });
+        add("crimp_spread", Quantity::strain, [](const Family &f) {
           return f.crimp.spread();
         });
-        add("tow_width", "[mm]", [](const Family &f) {
+        add("tow_width", Quantity::length, [](const Family &f) {
           return f.width.value();
         });
-        add("tow_height", "[mm]", [](const Family &f) {
+        add("tow_height", Quantity::length, [](const Family &f) {
           return f.height.value();
         });
-        add("tow_area", "[mm2]", [](const Family &f) {
+        add("tow_area", Quantity::area, [](const Family &f) {
           return f.area.value();
         });
-        add("tow_packing", "", [](const Family &f) {
+        add("tow_packing", Quantity::fraction, [](const Family &f) {
           return f.packing.value();
         });
-        add("undulation_angle", "[rad]", [](const Family &f) {
+        add("undulation_angle", Quantity::angle, [](const Family &f) {
           return f.undulation.value();
         });
-        add("largest_curvature", "[1/mm]", [](const Family &f) {
+        add("largest_curvature", Quantity::curvature, [](const Family &f) {
           return f.curvature;
         });
-        add("largest_bending_strain", "", [](const Family &f) {
+        add("largest_bending_strain", Quantity::strain, [](const Family &f) {
           return f.bending_strain;
         });
         all.erase(std::remove_if(all.begin(),
@@ -290,17 +298,17 @@ namespace fiberloom
   FabricTable::append(const Place &place, const Measures &measures)
   {
     Cells cells;
-    for (const auto &[name, value] : measures)
-      cells.emplace_back(name, table_cell(value));
+    for (const auto &[column, value] : measures)
+      cells.emplace_back(column.heading(), table_cell(value));
     IncrementTable::append(place, "", cells);
   }
 
 
 
-  Measures
+  std::vector<std::pair<std::string, double>>
   FabricTable::last() const
   {
-    Measures measures;
+    std::vector<std::pair<std::string, double>> measures;
     if (!rows().empty())
       for (std::size_t c = 0; c < rows().back().cells.size(); ++c)
         if (const std::string &cell = rows().back().cells[c]; !cell.empty())

@@ -25,6 +25,12 @@ namespace fiberloom
             return {"angle", "rad"};
           case Quantity::length:
             return {"length", "mm"};
+          case Quantity::area:
+            return {"area", "mm2"};
+          case Quantity::curvature:
+            return {"curvature", "1/mm"};
+          case Quantity::areal_weight:
+            return {"areal weight", "kg/m2"};
           case Quantity::force:
             return {"force", "N"};
           case Quantity::force_per_width:

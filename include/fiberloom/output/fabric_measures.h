@@ -4,6 +4,8 @@
 #ifndef fiberloom_output_fabric_measures_h
 #define fiberloom_output_fabric_measures_h
 
+#include <fiberloom/stages/column.h>
+
 #include <fiberloom/output/increment_table.h>
 #include <fiberloom/output/measured_part.h>
 
@@ -13,8 +15,8 @@
 
 namespace fiberloom
 {
-  /** Name with unit, and value, in the order of the documents. */
-  using Measures = std::vector<std::pair<std::string, double>>;
+  /** In the order of the documents. */
+  using Measures = std::vector<std::pair<Column, double>>;
 
   /**
    * Thickness, areal weight, fractions of fiber, crimp and the tows' sections
@@ -43,8 +45,8 @@ namespace fiberloom
     void
     append(const Place &place, const Measures &measures);
 
-    /** Those of the last row; empty if there is none. */
-    Measures
+    /** Those of the last row by their headings; empty if there is none. */
+    std::vector<std::pair<std::string, double>>
     last() const;
   };
 } // namespace fiberloom

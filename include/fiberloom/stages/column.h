@@ -20,6 +20,9 @@ namespace fiberloom
     fraction,
     angle,           // [rad]
     length,          // [mm]
+    area,            // [mm2]
+    curvature,       // [1/mm]
+    areal_weight,    // [kg/m2]
     force,           // [N]
     force_per_width, // [N/mm]
     moment,          // [N.mm]
