@@ -76,8 +76,10 @@ namespace
     const auto      part = part_between_crossings(set, mesh, q);
     if (!part)
       return {};
-    const Measures measures = fabric_measures(set, mesh, q, *part);
-    return {measures.begin(), measures.end()};
+    std::map<std::string, double> measures;
+    for (const auto &[column, value] : fabric_measures(set, mesh, q, *part))
+      measures[column.heading()] = value;
+    return measures;
   }
 
   void
