@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/fabric/fiber_density.h>
+#include <fiberloom/fabric/tow_family.h>
 
 #include <fiberloom/output/fabric_measures.h>
 #include <fiberloom/output/fiber_samples.h>
@@ -127,12 +128,11 @@ namespace fiberloom
                              const Quantity     quantity,
                              const auto        &value) {
           for (const auto family : {Tow::Family::warp, Tow::Family::fill})
-            all.push_back(
-              {{name + (family == Tow::Family::warp ? "_warp" : "_fill"),
-                quantity,
-                Role::detail,
-                family},
-               value(families[family == Tow::Family::warp ? 0 : 1])});
+            all.push_back({{name + "_" + family_name(family),
+                            quantity,
+                            Role::detail,
+                            family},
+                           value(families[index(family)])});
         };
         using Family = FamilyMeasures;
         add("crimp", Quantity::strain, [](const Family &f) {
@@ -182,10 +182,16 @@ namespace fiberloom
       Mean   in_tows;
       std::array<FamilyMeasures, 2> families; // warp and fill
 
+      static unsigned int
+      index(const Tow::Family family)
+      {
+        return family == Tow::Family::warp ? 0 : 1;
+      }
+
       FamilyMeasures &
       family(const unsigned int tow)
       {
-        return families[fibers.tows[tow].family == Tow::Family::warp ? 0 : 1];
+        return families[index(fibers.tows[tow].family)];
       }
 
       /** Sections at the nodes that are inside, and lengths of fibers. */

@@ -73,12 +73,8 @@ namespace fiberloom
 
 
   bool
-  MovingFibers::are_worth_it(const std::function<void()> &measure,
-                             const double                 part,
-                             const unsigned int           most)
+  MovingFibers::are_worth_it(const double part, const unsigned int most)
   {
-    system.restrict_to({});
-    measure();
     const std::vector<double> all   = system.free_residual();
     std::vector<double>       their = all;
     restrict(their);

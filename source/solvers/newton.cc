@@ -50,6 +50,15 @@ namespace fiberloom
                 const unsigned int most,
                 const Penetration *penetration)
   {
+    // However this ends, what comes next sees all fibers.
+    struct AtEnd
+    {
+      ~AtEnd()
+      {
+        moving.release();
+      }
+      MovingFibers &moving;
+    } const at_end{moving};
     begin();
     bounds.release();
     of_few.reset();
@@ -67,11 +76,8 @@ namespace fiberloom
       {
         refresh(state, problem);
         const bool moves = system.motion().moves(state, problem.targets);
-        if (!moving.are_all() && !goes_on_with_few(state, problem))
-          {
-            moving.release();
-            system.reinit(increment.contacts);
-          }
+        if (!moving.are_all())
+          go_on_with_few(state, problem);
         assemble(state,
                  problem,
                  !moves && is_exact_worth_it(problem) ? Curvature::exact :
@@ -232,16 +238,16 @@ namespace fiberloom
 
 
 
-  bool
-  Newton::goes_on_with_few(const State &state, const Problem &problem)
+  void
+  Newton::go_on_with_few(const State &state, const Problem &problem)
   {
-    return moving.are_worth_it(
-      [&]() {
-        increment.measure(state, problem);
-        measure(problem);
-      },
-      poor_model,
-      largest_change);
+    system.restrict_to({});
+    increment.measure(state, problem);
+    measure(problem);
+    if (moving.are_worth_it(poor_model, largest_change))
+      return;
+    moving.release();
+    system.reinit(increment.contacts);
   }
 
 

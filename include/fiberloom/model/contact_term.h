@@ -28,7 +28,7 @@ namespace fiberloom
                     const Assembly                    &sum,
                     const CouplingVisitor             &couple) const;
 
-    /** Stores forces in @p contacts . */
+    /** Of those that @p sum takes; stores their forces. */
     void
     add(const State                 &state,
         std::vector<ContactElement> &contacts,

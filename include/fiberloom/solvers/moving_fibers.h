@@ -6,7 +6,6 @@
 
 #include <fiberloom/model/system.h>
 
-#include <functional>
 #include <vector>
 
 namespace fiberloom
@@ -46,13 +45,11 @@ namespace fiberloom
     void
     restrict_matrix() const;
 
-    /** Takes note of what is out of balance, where @p measure assembles the
-     * residual of all. Whether theirs is still above @p part of what it was and
-     * above that of the others, in fewer than @p most iterations. */
+    /** Takes note of what is out of balance, of all fibers. Whether theirs is
+     * still above @p part of what it was and above that of the others, in fewer
+     * than @p most iterations; then the system is restricted to them again. */
     bool
-    are_worth_it(const std::function<void()> &measure,
-                 const double                 part,
-                 const unsigned int           most);
+    are_worth_it(const double part, const unsigned int most);
 
   private:
     const FiberMesh  &mesh;

@@ -167,9 +167,10 @@ namespace fiberloom
     bool
     is_exact_worth_it(const Problem &problem) const;
 
-    /** Whether the few fibers that move are still what is out of balance. */
-    bool
-    goes_on_with_few(const State &state, const Problem &problem);
+    /** Moves few fibers again if they are still what is out of balance, or
+     * else all; measures the residual of all. */
+    void
+    go_on_with_few(const State &state, const Problem &problem);
 
     /** Whether the fully regenerated problem is in balance; assembled anew
      * where it is not. */
@@ -287,7 +288,7 @@ namespace fiberloom
     residual_at(const State &there, const Problem &problem);
 
     /** Adds corrections to what @p step reached as long as they lower the
-     * energy. */
+     * energy or, where that tells nothing, what is out of balance. */
     void
     correct(const State   &state,
             const Problem &problem,
@@ -334,7 +335,7 @@ namespace fiberloom
     bool         is_bounded           = false; // fibers, in this iteration
     bool         is_exact             = true;  // the tangent of this iteration
     bool         trusted              = true;  // the model of the last one
-    double       exact_below          = 1e300; // residual
+    double       exact_below          = 1e300; // this residual it may be exact
     bool         is_near_enough       = false; // as Problem asks
     bool         ends_exactly         = false; // the step before, or it cannot
     double       damping              = 0;     // over E r
