@@ -14,8 +14,7 @@ from program_runs import SCENES, SMALL_WEAVE, check, check_same, command, curve,
 
 
 def check_same_files(straight, directory, ranks=1):
-    """On 2 ranks the factor's sums come in any order: straight runs differ from each other by 1e-11, too. In 1 of 60 a
-    correction in the weave is left out whose energy only rounding tells from that without it: 1.4e-8."""
+    """On 2 ranks the factor's sums come in any order: straight runs differ from each other by 1e-11, too."""
     for file in ("loading_curve.csv", "reactions.csv"):
         check_same(f"  {file}", straight, directory, 1e-10 if ranks == 1 else 1e-8, file)
 
