@@ -44,8 +44,12 @@ def summary(directory):
 def check_lock():
     for ranks in (1, 2):
         first = begun("two", ranks=ranks)
+        # Held, so that it cannot end before the second has started, which takes Open MPI seconds in a container.
+        of_first = int(content("two", "lock").split()[1])
+        os.kill(of_first, signal.SIGSTOP)
         check_refused(f"a second run in the directory of one on {ranks} ranks",
                       run(SMALL_WEAVE, "two", keep=True, ranks=3 - ranks), "in use by process")
+        os.kill(of_first, signal.SIGCONT)
         check("  the first is not disturbed", first.wait() == 0)
         check_same("  loading_curve.csv", "straight", "two", 1e-4)
     killed = begun("two")

@@ -116,6 +116,10 @@ namespace fiberloom
     bool
     iterate(Epetra_Operator &preconditioner, const unsigned int cycles);
 
+    /** The same from the solution as it is. */
+    bool
+    improve(Epetra_Operator &preconditioner, const unsigned int cycles);
+
     /** Of the solution. */
     bool
     descends() const
@@ -131,7 +135,7 @@ namespace fiberloom
     Outcome      &outcome;
 
   private:
-    /** From the solution as it is. */
+    /** By Krylov's method. */
     bool
     go_on(Epetra_Operator &preconditioner, const unsigned int cycles);
 
@@ -158,13 +162,30 @@ namespace fiberloom
                               const unsigned int cycles)
   {
     x.PutScalar(0);
+    return improve(preconditioner, cycles);
+  }
+
+
+
+  bool
+  LinearSolver::Task::improve(Epetra_Operator   &preconditioner,
+                              const unsigned int cycles)
+  {
     {
       ScopedTimer   timer(outcome.krylov);
       const double  norm = norm_of(b);
       Epetra_Vector residual(b), product(b.Map()), correction(b.Map());
+      double        start;
+      x.NormInf(&start);
+      if (start > 0)
+        {
+          matrix.Apply(x, product);
+          residual.Update(-1, product, 1);
+        }
       // Around a factor of the same matrix one correction is mostly enough,
       // around one of the motions of its sections two.
-      for (double before = norm, after = 0; before > 0; before = after)
+      for (double before = norm_of(residual), after = 0; before > 0;
+           before = after)
         {
           preconditioner.ApplyInverse(residual, correction);
           matrix.Apply(correction, product);
@@ -297,8 +318,7 @@ namespace fiberloom
                             Outcome             &outcome)
   {
     Task task(equations, solution, outcome);
-    return task.iterate(*last,
-                        sections ? largest_section_cycles : largest_cycles);
+    return task.iterate(*last, cycles_of_last());
   }
 
 
@@ -309,9 +329,18 @@ namespace fiberloom
                               Outcome             &outcome)
   {
     equations.matrix.use_outer_products(true);
-    const bool found = solve_again(equations, solution, outcome);
+    Task       task(equations, solution, outcome);
+    const bool found = task.improve(*last, cycles_of_last());
     equations.matrix.use_outer_products(false);
     return found;
+  }
+
+
+
+  unsigned int
+  LinearSolver::cycles_of_last() const
+  {
+    return sections ? largest_section_cycles : largest_cycles;
   }
 
 

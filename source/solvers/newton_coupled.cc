@@ -27,11 +27,12 @@ namespace fiberloom
     };
     last_krylov      = 0;
     factor_is_behind = true;
-    bool found       = solve_coupled(gradient, step);
+    // The first step only tells what closes.
+    bool found = solve_coupled(gradient, shortest, step);
     for (unsigned int k = 0; k < most_predictions && found && predicts(); ++k)
       {
         factor_is_behind = true;
-        found            = solve_coupled(system.right_hand_side(), step);
+        found = solve_coupled(system.right_hand_side(), rough_tolerance, step);
       }
     return found;
   }
@@ -89,15 +90,16 @@ namespace fiberloom
   {
     const double shorter = 1 - poor_model * factor, before = there.residual;
     system.motion().advance(there.state, step.increment, factor);
-    there.residual             = increment.measure_anew(there.state, problem);
+    there.residual = increment.measure_anew(there.state, problem);
+    if (there.residual < increment.tolerance())
+      return true;
     std::vector<double> defect = system.free_residual();
     for (double &value : defect)
       value = -value;
-    return solve_coupled(defect, there.next) &&
+    return solve_coupled(defect, rough_tolerance, there.next) &&
            (there.next.move < shorter * step.move ||
             (there.residual < shorter * before &&
-             there.next.move < largest_move) ||
-            there.residual < increment.tolerance());
+             there.next.move < largest_move));
   }
 
 
@@ -125,7 +127,9 @@ namespace fiberloom
 
 
   bool
-  Newton::solve_coupled(const std::vector<double> &right_hand_side, Step &step)
+  Newton::solve_coupled(const std::vector<double> &right_hand_side,
+                        const double               tolerance,
+                        Step                      &step)
   {
     LinearSolver::Outcome outcome;
     bool                  found;
@@ -137,11 +141,8 @@ namespace fiberloom
           linear_solver.factorize(system.matrix(), generated_at, outcome);
           factor_is_behind = false;
         }
-      found = linear_solver.solve_coupled({system.matrix(),
-                                           right_hand_side,
-                                           rough_tolerance},
-                                          step.solution,
-                                          outcome);
+      found = linear_solver.solve_coupled(
+        {system.matrix(), right_hand_side, tolerance}, step.solution, outcome);
     }
     last_krylov = outcome.iterations;
     add(statistics, outcome);

@@ -104,7 +104,8 @@ namespace fiberloom
     void
     factorize(BlockMatrix &matrix, const Eigen::VectorXd &q, Outcome &outcome);
 
-    /** As solve_again(), with the outer products of the matrix. */
+    /** As solve_again(), with the outer products of the matrix, from the
+     * @p solution that is there already, if any. */
     bool
     solve_coupled(const Equations     &equations,
                   std::vector<double> &solution,
@@ -130,6 +131,9 @@ namespace fiberloom
     /** As what preconditions. */
     void
     use_factor_of(const BlockMatrix &matrix);
+
+    unsigned int
+    cycles_of_last() const;
 
     /** Equations with their solution and what it takes. */
     struct Task;
