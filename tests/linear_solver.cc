@@ -188,6 +188,41 @@ namespace
       }
   }
 
+  /** What is solved for roughly is where a finer solution starts. */
+  void
+  check_improving(Checks &checks)
+  {
+    SampleModel model(4);
+    model.supports.bodies[1].prescribed.set();
+    System system(model.mesh, model.supports, MPI_COMM_WORLD);
+    model.disturb(system);
+    model.add_contacts(.02, .001);
+    system.reinit(model.contacts);
+    system.assemble(model.state, model.targets, model.contacts);
+    LinearSolver solver(system, Preconditioning::rigid_sections);
+    Outcome      outcome;
+    solver.factorize(system.matrix(), model.state.q, outcome);
+    std::vector<double> solution;
+    const auto          iterations = [&](const double tolerance) {
+      Outcome    outcome;
+      const bool found = solver.solve_coupled({system.matrix(),
+                                               system.right_hand_side(),
+                                               tolerance},
+                                              solution,
+                                              outcome);
+      checks.that("found to " + std::to_string(tolerance), found);
+      checks.below("remainder over it",
+                   remainder(system, system.gather(solution)) / tolerance,
+                   1.0001);
+      return outcome.iterations;
+    };
+    const unsigned int rough = iterations(1e-2), further = iterations(1e-6);
+    checks.equal("iterations from the solution", iterations(1e-6), 0);
+    solution.clear();
+    const unsigned int all = iterations(1e-6);
+    checks.that("the rough solution counts", rough > 0 && further < all);
+  }
+
   /** Patterns with hardly more than is needed are kept, with their analysis. */
   void
   check_pattern(Checks &checks)
@@ -375,6 +410,7 @@ main(int argc, char **argv)
   check_fallback(Preconditioning::single_factor, checks);
   check_fallback(Preconditioning::rigid_sections, checks);
   check_damped_after_undamped(checks);
+  check_improving(checks);
   check_pattern(checks);
   check_closing(checks);
   check_buckling(checks);

@@ -184,7 +184,8 @@ namespace fiberloom
         }
       // Around a factor of the same matrix one correction is mostly enough,
       // around one of the motions of its sections two.
-      for (double before = norm_of(residual), after = 0; before > 0;
+      for (double before = norm_of(residual), after = 0;
+           before > tolerance * norm;
            before = after)
         {
           preconditioner.ApplyInverse(residual, correction);
