@@ -8,6 +8,8 @@ import html.parser
 import json
 import os
 import re
+import shutil
+import subprocess
 
 from program_runs import SMALL_WEAVE, SOURCE, check, finish, run
 
@@ -47,6 +49,15 @@ def written(directory, *names):
         return file.read()
 
 
+def look_at(file):
+    """What Chromium says of a page on its console, and how many pages it prints."""
+    chromium = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr",
+                "--user-data-dir=" + os.path.abspath("profile"), "--no-pdf-header-footer", "--print-to-pdf=page.pdf"]
+    looked = subprocess.run([*chromium, "file://" + os.path.abspath(file)], capture_output=True, text=True, timeout=120)
+    return ([line for line in looked.stderr.splitlines() if ":CONSOLE" in line],
+            len(re.findall(rb"/Type\s*/Page\b", written("page.pdf"))))
+
+
 done = run(SMALL_WEAVE, "woven", "Output/Pictures=true", "Output/Slices=both")
 check("a weave is woven, relaxed and pulled", done.returncode == 0)
 summary = json.loads(written("woven", "summary.json"))
@@ -82,6 +93,15 @@ check("it has the measures of the fabric",
       f"{summary['fabric']['thickness[mm]']:.4g}" in page.words and "crimp warp" in page.words)
 check("and all parameters, folded",
       re.search(r"<details><summary>All entries in force.*Friction coefficient\s*= 0.2", page.source, re.DOTALL))
+
+if shutil.which("chromium"):
+    with open("wrong.html", "w") as wrong:
+        wrong.write("<script>throw Error()</script>")
+    check("a browser's console tells of errors", len(look_at("wrong.html")[0]) == 1)
+    said, pages = look_at(os.path.join("woven", "report.html"))
+    check(f"a browser says nothing of the page and prints {pages} pages of it: {said}", not said and pages == 2)
+else:
+    print("      no chromium: not looked at in a browser")
 
 stopped = run(SMALL_WEAVE, "woven", "Output/Pictures=true", "Maximal wall time=1e-3", keep=True)
 page = Page("woven")

@@ -7,6 +7,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <boost/format.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -27,7 +29,7 @@ body { font: 15px/1.45 "DejaVu Sans", Helvetica, sans-serif; color: #222;
 h1 { font-size: 1.5em; margin: 0; }
 h2 { font-size: 1.15em; margin: 1.4em 0 .4em; border-bottom: 1px solid #ccc; }
 table { border-collapse: collapse; font-size: .87em; }
-th, td { text-align: right; padding: .15em .7em; border-bottom: 1px solid #eee; }
+th, td { text-align: right; padding: .15em .5em; border-bottom: 1px solid #eee; }
 th:first-child, td:first-child { text-align: left; padding-left: 0; }
 .pictures { display: flex; flex-wrap: wrap; gap: 1em; }
 figure { margin: 0; flex: 1 1 420px; }
@@ -59,6 +61,12 @@ pre { font-size: .8em; white-space: pre-wrap; }
       std::ostringstream text;
       text << std::setprecision(2) << 100 * part << " %";
       return text.str();
+    }
+
+    std::string
+    seconds(const double value)
+    {
+      return (boost::format("%.1f") % value).str();
     }
 
     std::string
@@ -187,25 +195,25 @@ pre { font-size: .8em; white-space: pre-wrap; }
                           std::to_string(stage.contact_elements),
                           percent(stage.largest_penetration_over_radius),
                           percent(stage.estimated_error.total),
-                          number(s.detection),
-                          number(s.assembly),
-                          number(s.linear_solver),
-                          number(s.output),
-                          number(s.estimate),
-                          number(s.wall)});
+                          seconds(s.detection),
+                          seconds(s.assembly),
+                          seconds(s.linear_solver),
+                          seconds(s.output),
+                          seconds(s.estimate),
+                          seconds(s.wall)});
         }
       return "<h2>Stages and seconds</h2>\n" + table({"stage",
                                                       "increments",
                                                       "iterations",
                                                       "contacts",
-                                                      "penetration/radius",
+                                                      "penetration over radius",
                                                       "estimated error",
                                                       "detection",
                                                       "assembly",
                                                       "linear solver",
                                                       "output",
                                                       "estimate",
-                                                      "all [s]"},
+                                                      "all"},
                                                      rows);
     }
   } // namespace
