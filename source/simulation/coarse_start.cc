@@ -22,6 +22,10 @@ namespace fiberloom
     // goes on: it changes the energy by a hundredth.
     constexpr double near_enough = 1e-5;
 
+    // Of the iterations of a mesh the next one takes about this part: a tenth
+    // in small samples, as many in large ones.
+    constexpr double iterations_of_next = .5;
+
     // A coarser mesh pays if it has no more than this part of the elements.
     constexpr double coarser = .75;
 
@@ -84,10 +88,15 @@ namespace fiberloom
     statistics.coarse_iterations +=
       cost.newton_iterations + cost.coarse_iterations;
     statistics.seconds.coarse += cost.seconds.wall;
-    log.write((boost::format("  %-6s on %u elements %s after %u iterations") %
+    const double seconds = cost.seconds.wall - cost.seconds.coarse;
+    const double larger =
+      static_cast<double>(scene.mesh.n_elements()) / mesh.n_elements();
+    log.write((boost::format("  %-6s on %u elements %s after %u iterations, "
+                             "%.0f s; %u elements may take some %.0f s") %
                name % mesh.n_elements() %
                (arrived ? "comes to rest" : "does not come to rest") %
-               cost.newton_iterations)
+               cost.newton_iterations % seconds % scene.mesh.n_elements() %
+               (iterations_of_next * larger * seconds))
                 .str());
     if (!arrived)
       return {};

@@ -561,16 +561,26 @@ namespace fiberloom
 
 
 
+  double
+  StageRun::seconds_of_stage() const
+  {
+    return statistics.seconds.detection + statistics.seconds.assembly +
+           statistics.seconds.linear_solver + statistics.seconds.coarse;
+  }
+
+
+
   std::string
   StageRun::iteration_line(const Equilibrium::Progress &progress) const
   {
     return (boost::format("  %-6s iteration %3u  residual %.2e  last step "
                           "%.2e  damping %.1e  contacts %6u  penetration "
-                          "%.4f r") %
+                          "%.4f r  %7.1f s") %
             name %
             (statistics.newton_iterations - shown.newton_iterations + 1) %
             progress.residual % progress.factor % progress.damping %
-            equilibrium.contacts().size() % equilibrium.largest_penetration())
+            equilibrium.contacts().size() % equilibrium.largest_penetration() %
+            seconds_of_stage())
       .str();
   }
 
@@ -612,10 +622,8 @@ namespace fiberloom
   std::string
   StageRun::increment_line(const State &state) const
   {
-    const double done = state.load - load_at_start;
-    const double seconds =
-      statistics.seconds.detection + statistics.seconds.assembly +
-      statistics.seconds.linear_solver + statistics.seconds.coarse;
+    const double done    = state.load - load_at_start,
+                 seconds = seconds_of_stage();
     return (boost::format("%-8s %3u  load %.4f  contact/normal/newton "
                           "%2u/%2u/%3u  contacts %6u  penetration %.4f r  "
                           "%7.1f s  remaining %7.1f s") %

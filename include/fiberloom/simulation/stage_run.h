@@ -142,6 +142,10 @@ namespace fiberloom
     std::string
     increment_line(const State &state) const;
 
+    /** Of computing, so far. */
+    double
+    seconds_of_stage() const;
+
     std::string
     iteration_line(const Equilibrium::Progress &progress) const;
 
