@@ -47,6 +47,16 @@ namespace
     return (b - multiply(system, solution)).norm() / b.norm();
   }
 
+  /** Of disturbed fibers that lie in each other. */
+  void
+  assemble(SampleModel &model, System &system)
+  {
+    model.disturb(system);
+    model.add_contacts(.02, .001);
+    system.reinit(model.contacts);
+    system.assemble(model.state, model.targets, model.contacts);
+  }
+
   void
   check_precision(Checks &checks)
   {
@@ -167,10 +177,7 @@ namespace
     SampleModel model(4);
     model.supports.bodies[1].prescribed.set();
     System system(model.mesh, model.supports, MPI_COMM_WORLD);
-    model.disturb(system);
-    model.add_contacts(.02, .001);
-    system.reinit(model.contacts);
-    system.assemble(model.state, model.targets, model.contacts);
+    assemble(model, system);
     LinearSolver        solver(system, Preconditioning::rigid_sections);
     std::vector<double> solution;
     for (const double damping : {0., 0., 1e-3})
@@ -195,13 +202,10 @@ namespace
     SampleModel model(4);
     model.supports.bodies[1].prescribed.set();
     System system(model.mesh, model.supports, MPI_COMM_WORLD);
-    model.disturb(system);
-    model.add_contacts(.02, .001);
-    system.reinit(model.contacts);
-    system.assemble(model.state, model.targets, model.contacts);
+    assemble(model, system);
     LinearSolver solver(system, Preconditioning::rigid_sections);
-    Outcome      outcome;
-    solver.factorize(system.matrix(), model.state.q, outcome);
+    Outcome      of_factor;
+    solver.factorize(system.matrix(), model.state.q, of_factor);
     std::vector<double> solution;
     const auto          iterations = [&](const double tolerance) {
       Outcome    outcome;
@@ -354,10 +358,7 @@ namespace
     for (auto &body : model.supports.bodies)
       body.prescribed.set();
     System system(model.mesh, model.supports, MPI_COMM_WORLD);
-    model.disturb(system);
-    model.add_contacts(.02, .001);
-    system.reinit(model.contacts);
-    system.assemble(model.state, model.targets, model.contacts);
+    assemble(model, system);
     const std::vector<double> gradient = system.right_hand_side();
     LinearSolver              solver(system, Preconditioning::double_factor);
     std::vector<double>       step;

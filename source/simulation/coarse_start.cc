@@ -91,13 +91,18 @@ namespace fiberloom
     const double seconds = cost.seconds.wall - cost.seconds.coarse;
     const double larger =
       static_cast<double>(scene.mesh.n_elements()) / mesh.n_elements();
-    log.write((boost::format("  %-6s on %u elements %s after %u iterations, "
-                             "%.0f s; %u elements may take some %.0f s") %
-               name % mesh.n_elements() %
-               (arrived ? "comes to rest" : "does not come to rest") %
-               cost.newton_iterations % seconds % scene.mesh.n_elements() %
-               (iterations_of_next * larger * seconds))
-                .str());
+    std::string line =
+      (boost::format("  %-6s on %u elements %s after %u iterations, %.0f s") %
+       name % mesh.n_elements() %
+       (arrived ? "comes to rest" : "does not come to rest") %
+       cost.newton_iterations % seconds)
+        .str();
+    if (arrived)
+      line +=
+        (boost::format("; %u elements may take some %.0f s") %
+         scene.mesh.n_elements() % (iterations_of_next * larger * seconds))
+          .str();
+    log.write(line);
     if (!arrived)
       return {};
     const Refinement finer{2,

@@ -27,12 +27,11 @@ namespace fiberloom
     };
     last_krylov      = 0;
     factor_is_behind = true;
-    // The first step only tells what closes.
-    bool found = solve_coupled(gradient, shortest, step);
+    bool found       = solve_coupled(gradient, step);
     for (unsigned int k = 0; k < most_predictions && found && predicts(); ++k)
       {
         factor_is_behind = true;
-        found = solve_coupled(system.right_hand_side(), rough_tolerance, step);
+        found            = solve_coupled(system.right_hand_side(), step);
       }
     return found;
   }
@@ -96,7 +95,7 @@ namespace fiberloom
     std::vector<double> defect = system.free_residual();
     for (double &value : defect)
       value = -value;
-    return solve_coupled(defect, rough_tolerance, there.next) &&
+    return solve_coupled(defect, there.next) &&
            (there.next.move < shorter * step.move ||
             (there.residual < shorter * before &&
              there.next.move < largest_move));
@@ -127,9 +126,7 @@ namespace fiberloom
 
 
   bool
-  Newton::solve_coupled(const std::vector<double> &right_hand_side,
-                        const double               tolerance,
-                        Step                      &step)
+  Newton::solve_coupled(const std::vector<double> &right_hand_side, Step &step)
   {
     LinearSolver::Outcome outcome;
     bool                  found;
@@ -141,8 +138,11 @@ namespace fiberloom
           linear_solver.factorize(system.matrix(), generated_at, outcome);
           factor_is_behind = false;
         }
-      found = linear_solver.solve_coupled(
-        {system.matrix(), right_hand_side, tolerance}, step.solution, outcome);
+      found = linear_solver.solve_coupled({system.matrix(),
+                                           right_hand_side,
+                                           rough_tolerance},
+                                          step.solution,
+                                          outcome);
     }
     last_krylov = outcome.iterations;
     add(statistics, outcome);

@@ -254,9 +254,7 @@ namespace fiberloom
 
     /** By the matrix with limits that follow; whether there is a solution. */
     bool
-    solve_coupled(const std::vector<double> &right_hand_side,
-                  const double               tolerance,
-                  Step                      &step);
+    solve_coupled(const std::vector<double> &right_hand_side, Step &step);
 
     /** A part of @p step on which prescribed nodes move as far as allowed. */
     void
