@@ -47,6 +47,17 @@ def check_energies(rows, energies):
           abs(second - first) < .05 * abs(first - start))
 
 
+def check_remaining(directory):
+    """The log counts the increments to come at the mean of those before, on each leg as it is."""
+    with open(os.path.join(directory, "log.txt")) as log:
+        lines = [line.split() for line in log if "remaining" in line]
+    shown = [(float(line[line.index("remaining") - 2]), float(line[-2])) for line in lines]
+    check(f"what remains: {shown}",
+          all((remaining - .05) * done <= (len(shown) - done) * (seconds + .05) + 1e-9 and
+              (remaining + .05) * done >= (len(shown) - done) * (seconds - .05) - 1e-9
+              for done, (seconds, remaining) in enumerate(shown, 1)))
+
+
 def check_restarts(lost):
     """From the middle of the second cycle, on one and on two ranks."""
     shutil.rmtree("stopped_1", ignore_errors=True)
@@ -74,6 +85,7 @@ def main():
     rows, energies = test("rubbing", *SHEARED)
     check_way(rows)
     check_energies(rows, energies)
+    check_remaining("rubbing")
     check_restarts(energies[0])
 
     rows, (lost, friction, _) = test("smooth", *PULLED, "Contact/Friction coefficient=0")

@@ -68,6 +68,9 @@ check("the log says what is run, when the error is estimated, and where results 
                   f"{size['fiber_dofs']} dofs, on 1 rank" and
       any(line.startswith("biaxial  the error of its loading curve is estimated") for line in lines) and
       lines[-1].startswith("results in woven: report.html"))
+remaining = [float(line.split("remaining")[1].split()[0]) for line in lines if "remaining" in line]
+check("from the weave on the log says how much remains of the scene: " + str(remaining),
+      min(remaining[:2]) > 0 and remaining[-1] == 0)
 page = Page("woven")
 check("elements are closed", page.closed_in_order and not page.open)
 check("nothing is loaded from elsewhere",

@@ -8,6 +8,8 @@
 
 #include <fiberloom/simulation/stage_run.h>
 
+#include <deal.II/base/exceptions.h>
+
 /** Runs the stages of @p parameters on @p fibers , without any file. */
 inline void
 run_stages(const fiberloom::Parameters        &parameters,
@@ -28,8 +30,10 @@ run_stages(const fiberloom::Parameters        &parameters,
           add_matrix(parameters, mesh, state);
           composite = std::make_unique<Composite>(state.matrix, mesh);
         }
-      const Scene     scene{parameters, fibers, mesh, composite.get()};
-      const auto      stage = create_stage(name, scene);
+      const Scene scene{parameters, fibers, mesh, composite.get()};
+      const auto  stage = create_stage(name, scene);
+      const auto  planned =
+        stage->n_increments(state, 0, stage->first_step(state));
       StageStatistics statistics;
       StageRun(
         scene,
@@ -42,6 +46,9 @@ run_stages(const fiberloom::Parameters        &parameters,
         []() { return false; },
         state)
         .run(state, observer);
+      AssertThrow(!stage->is_test() || statistics.rejected_increments > 0 ||
+                    statistics.increments == planned,
+                  dealii::ExcMessage("other increments than were planned"));
       state.begin_stage(state.stage + 1);
     }
 }

@@ -422,6 +422,20 @@ namespace fiberloom
 
 
 
+  StageStatistics
+  Simulation::statistics_so_far(const State &state) const
+  {
+    const bool under_way =
+      state.increment > 0 || state.step > 0 || state.coarse.q.size() > 0;
+    if (under_way && restart.stages.size() > restart.state.stage)
+      return restart.stages[restart.state.stage];
+    StageStatistics statistics;
+    statistics.name = parameters.stages[state.stage];
+    return statistics;
+  }
+
+
+
   int
   Simulation::run_stages(State &state, OutputWriter &writer, StopRequest &stop)
   {
@@ -430,13 +444,8 @@ namespace fiberloom
         const std::string &name      = parameters.stages[state.stage];
         const auto         composite = make_composite(name, state);
         const Scene        scene{parameters, fibers, mesh, composite.get()};
-        const auto         stage = create_stage(name, scene);
-        StageStatistics    statistics;
-        statistics.name = name;
-        const bool under_way =
-          state.increment > 0 || state.step > 0 || state.coarse.q.size() > 0;
-        if (under_way && restart.stages.size() > restart.state.stage)
-          statistics = restart.stages[restart.state.stage];
+        const auto         stage      = create_stage(name, scene);
+        StageStatistics    statistics = statistics_so_far(state);
 
         const unsigned int number        = state.stage;
         const double       output_before = writer.seconds();
@@ -464,13 +473,14 @@ namespace fiberloom
                 estimated = [&](const State &before, const State &reached) {
                   estimate(scene, before, reached, statistics, stop);
                 };
-              run.run(state,
-                      std::ref(writer),
-                      estimated,
-                      [&](const State &begun) {
-                        writer.keep(begun, statistics);
-                      });
-              before_last = run.before_last();
+              run.run(
+                state,
+                std::ref(writer),
+                estimated,
+                [&](const State &begun) { writer.keep(begun, statistics); },
+                ahead(scene, state));
+              seconds_of_increment = run.seconds_of_increment();
+              before_last          = run.before_last();
             }
             // A way that turns has been farther from its start before.
             const bool farthest =
@@ -507,6 +517,22 @@ namespace fiberloom
           return end_on_request(writer, stop, [&]() { writer.save(state); });
       }
     return 0;
+  }
+
+
+
+  StageRun::Ahead
+  Simulation::ahead(const Scene &scene, const State &state) const
+  {
+    StageRun::Ahead ahead{0, seconds_of_increment};
+    for (unsigned int s = state.stage + 1; s < parameters.stages.size(); ++s)
+      {
+        const auto stage = create_stage(parameters.stages[s], scene);
+        if (stage->is_test())
+          ahead.increments +=
+            stage->n_increments(state, 0, stage->first_step(state));
+      }
+    return ahead;
   }
 
 

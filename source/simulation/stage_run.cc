@@ -27,6 +27,9 @@ namespace fiberloom
     // wants to see that something happens.
     constexpr double longest_silence = 10;
 
+    // What an increment of a test takes, before there was one.
+    constexpr double iterations_of_increment = 10;
+
     bool
     is_begun(const State &state)
     {
@@ -129,10 +132,11 @@ namespace fiberloom
   StageRun::run(State                   &state,
                 const IncrementObserver &observer,
                 const Estimate          &estimate,
-                const Keep              &keep)
+                const Keep              &keep,
+                const Ahead             &ahead)
   {
     ScopedTimer timer(statistics.seconds.wall);
-    load_at_start = state.load;
+    this->ahead = ahead;
     if (!is_begun(state))
       {
         if (start_on_coarser_meshes(state) && keep)
@@ -256,12 +260,7 @@ namespace fiberloom
     bool                    passed = false; // in an attempt
     for (unsigned int cuts = 0;; ++cuts)
       {
-        // A rest that would be tiny is taken along.
-        const double stop = stage.next_stop(state.load);
-        double       load = state.load + state.step;
-        if (load > stop - .01 * state.step)
-          load = stop;
-
+        const double load = stage.end_of_increment(state.load, state.step);
         const unsigned int         newton_before = statistics.newton_iterations;
         State                      found         = state;
         const Equilibrium::Problem problem{
@@ -570,6 +569,21 @@ namespace fiberloom
 
 
 
+  double
+  StageRun::seconds_of_increment() const
+  {
+    const double seconds = seconds_of_stage() - statistics.seconds.coarse;
+    if (stage.is_test() && statistics.increments > 0)
+      return seconds / statistics.increments;
+    return std::max(ahead.seconds,
+                    statistics.newton_iterations > 0 ?
+                      iterations_of_increment * seconds /
+                        statistics.newton_iterations :
+                      0);
+  }
+
+
+
   std::string
   StageRun::iteration_line(const Equilibrium::Progress &progress) const
   {
@@ -622,8 +636,9 @@ namespace fiberloom
   std::string
   StageRun::increment_line(const State &state) const
   {
-    const double done    = state.load - load_at_start,
-                 seconds = seconds_of_stage();
+    unsigned int to_come = ahead.increments;
+    if (state.load < 1)
+      to_come += stage.n_increments(state, state.load, state.step);
     return (boost::format("%-8s %3u  load %.4f  contact/normal/newton "
                           "%2u/%2u/%3u  contacts %6u  penetration %.4f r  "
                           "%7.1f s  remaining %7.1f s") %
@@ -632,7 +647,7 @@ namespace fiberloom
             (statistics.normal_updates - shown.normal_updates) %
             (statistics.newton_iterations - shown.newton_iterations) %
             equilibrium.contacts().size() % equilibrium.largest_penetration() %
-            seconds % (done > 0 ? seconds * (1 - state.load) / done : 0.))
+            seconds_of_stage() % (to_come * seconds_of_increment()))
       .str();
   }
 } // namespace fiberloom

@@ -16,6 +16,8 @@
 #include <fiberloom/output/directory_lock.h>
 #include <fiberloom/output/writer.h>
 
+#include <fiberloom/simulation/stage_run.h>
+
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -101,6 +103,10 @@ namespace fiberloom
     void
     record_stages_before(const State &state, OutputWriter &writer) const;
 
+    /** Of the stage that @p state is in. */
+    StageStatistics
+    statistics_so_far(const State &state) const;
+
     int
     run_stages(State &state, OutputWriter &writer, StopRequest &stop);
 
@@ -109,6 +115,10 @@ namespace fiberloom
     end_on_request(OutputWriter                &writer,
                    const StopRequest           &stop,
                    const std::function<void()> &save);
+
+    /** Of the stage that @p state is in. */
+    StageRun::Ahead
+    ahead(const Scene &scene, const State &state) const;
 
     /** Of the error of a stage that has come from @p before by its last
      * increment; for log.txt and @p statistics . */
@@ -151,7 +161,8 @@ namespace fiberloom
     ContactGenerator               generator;
     Log                            log;
     Checkpoint                     restart;
-    bool continues = false; // the files in the output directory
+    bool   continues            = false; // the files in the output directory
+    double seconds_of_increment = 0;     // of a test; 0: not known yet
   };
 } // namespace fiberloom
 

@@ -46,6 +46,13 @@ namespace fiberloom
     /** Is given what a run can go on from before its first increment. */
     using Keep = std::function<void(const State &)>;
 
+    /** What is to come after this stage, for the log. */
+    struct Ahead
+    {
+      unsigned int increments = 0; // of tests, if none fails
+      double       seconds    = 0; // of one, by the stages before; 0: unknown
+    };
+
     /**
      * @p observer sees each accepted state, @p keep the one that coarser meshes
      * lead to. Where the way of a test is farthest
@@ -58,7 +65,12 @@ namespace fiberloom
     run(State                   &state,
         const IncrementObserver &observer,
         const Estimate          &estimate = {},
-        const Keep              &keep     = {});
+        const Keep              &keep     = {},
+        const Ahead             &ahead    = {0, 0});
+
+    /** That an increment of a test takes, as far as is known. */
+    double
+    seconds_of_increment() const;
 
     /** From the start to the end of the stage by its fast path alone. False,
      * with @p state as it was, where that does not lead there. Throws
@@ -163,7 +175,7 @@ namespace fiberloom
     StageStatistics shown;            // what the last line of the log has told
     unsigned int    counted_searches; // are in the statistics
     State           last_start;
-    double          load_at_start = 0;
+    Ahead           ahead;
   };
 } // namespace fiberloom
 

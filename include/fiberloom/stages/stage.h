@@ -121,6 +121,18 @@ namespace fiberloom
       return 1;
     }
 
+    /** Where an increment of length @p step ends that begins at @p load : a
+     * rest that would be tiny is taken along. */
+    double
+    end_of_increment(const double load, const double step) const;
+
+    /** Increments from @p load to the end, the first one of length @p step ,
+     * if none fails; @p state is where the stage begins or is. */
+    unsigned int
+    n_increments(const State &state,
+                 const double load,
+                 const double step) const;
+
     /** The next load beyond @p load at which an increment has to end. */
     virtual double
     next_stop(const double load) const
