@@ -35,16 +35,12 @@ run_stages(const fiberloom::Parameters        &parameters,
       const auto  planned =
         stage->n_increments(state, 0, stage->first_step(state));
       StageStatistics statistics;
-      StageRun(
-        scene,
-        *stage,
-        name,
-        generator,
-        statistics,
-        log,
-        MPI_COMM_WORLD,
-        []() { return false; },
-        state)
+      statistics.name = name;
+      StageRun(scene,
+               *stage,
+               {generator, log, MPI_COMM_WORLD, []() { return false; }},
+               statistics,
+               state)
         .run(state, observer);
       AssertThrow(!stage->is_test() || statistics.rejected_increments > 0 ||
                     statistics.increments == planned,

@@ -94,21 +94,17 @@ main(int argc, char **argv)
                1e-12);
   ContactGenerator generator(fibers, mesh, parameters.contact, MPI_COMM_WORLD);
   StageStatistics  statistics;
-  Log              log(MPI_COMM_WORLD);
-  State            state;
+  statistics.name = "load";
+  Log   log(MPI_COMM_WORLD);
+  State state;
   state.q = mesh.initial();
-  const Scene whole{parameters, fibers, mesh};
-  const auto  stage = create_stage("load", whole);
-  StageRun    run(
-    whole,
-    *stage,
-    "load",
-    generator,
-    statistics,
-    log,
-    MPI_COMM_WORLD,
-    [] { return false; },
-    state);
+  const Scene  whole{parameters, fibers, mesh};
+  const auto   stage = create_stage("load", whole);
+  StageRun     run(whole,
+               *stage,
+               {generator, log, MPI_COMM_WORLD, [] { return false; }},
+               statistics,
+               state);
   const double moment       = E * M_PI * std::pow(radius, 4) / 4 / bend;
   double       wrong_moment = 0, wrong_energy = 0;
   run.run(state, [&](const IncrementReport &report) {

@@ -216,9 +216,8 @@ namespace fiberloom
     }
 
     void
-    declare_solver(ParameterCatalogue &catalogue, SolverParameters &solver)
+    declare_iterations(ParameterCatalogue &catalogue, SolverParameters &solver)
     {
-      catalogue.enter_section("Solver");
       catalogue.add("Loops",
                     solver.loops,
                     "How equilibrium is found where fibers touch. newton: "
@@ -286,6 +285,13 @@ namespace fiberloom
                     solver.largest_cuts,
                     "How many times in a row an increment may be halved.",
                     Allowed::whole(0, 50));
+    }
+
+    void
+    declare_solver(ParameterCatalogue &catalogue, SolverParameters &solver)
+    {
+      catalogue.enter_section("Solver");
+      declare_iterations(catalogue, solver);
       catalogue.add(
         "Linear solver",
         solver.linear_solver,

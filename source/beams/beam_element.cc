@@ -112,6 +112,72 @@ namespace fiberloom
         }
       return e;
     }
+
+    /** Part of a tangent that depends on stress; it acts alike on the three
+     * directions. */
+    using Geometric = Eigen::Matrix<double, 9, 9>;
+
+    /** Calls @p visit (k, i, j) for each strain k by q_i and q_j that is not of
+     * the section alone. */
+    template <typename Visit>
+    void
+    for_line_strains(const Visit &visit)
+    {
+      for (unsigned int k = 0; k < SectionStiffness::n_strains; ++k)
+        {
+          const auto [i, j] = SectionStiffness::pairs[k];
+          if (i >= 2 || j >= 2)
+            visit(k, i, j);
+        }
+    }
+
+    /** Of the stress resultants @p S . */
+    void
+    add_forces(const Interpolation            &interpolation,
+               const std::array<Vector3, 5>   &vectors,
+               const SectionStiffness::Vector &S,
+               BeamElement::Vector            &residual)
+    {
+      for_line_strains(
+        [&](const unsigned int k, const unsigned int i, const unsigned int j) {
+          for (unsigned int a = 0; a < 3; ++a)
+            {
+              residual.segment<3>(9 * a + 3 * slot[i]) +=
+                S[k] * interpolation.coefficients[i][a] * vectors[j];
+              if (i != j)
+                residual.segment<3>(9 * a + 3 * slot[j]) +=
+                  S[k] * interpolation.coefficients[j][a] * vectors[i];
+            }
+        });
+    }
+
+    void
+    add_geometric(const Interpolation            &interpolation,
+                  const SectionStiffness::Vector &S,
+                  Geometric                      &geometric)
+    {
+      for_line_strains(
+        [&](const unsigned int k, const unsigned int i, const unsigned int j) {
+          for (unsigned int a = 0; a < 3; ++a)
+            for (unsigned int b = 0; b < 3; ++b)
+              {
+                const double value = S[k] * interpolation.coefficients[i][a] *
+                                     interpolation.coefficients[j][b];
+                geometric(3 * a + slot[i], 3 * b + slot[j]) += value;
+                if (i != j)
+                  geometric(3 * b + slot[j], 3 * a + slot[i]) += value;
+              }
+        });
+    }
+
+    Geometric
+    with_absolute_modes(const Geometric &geometric)
+    {
+      const Eigen::SelfAdjointEigenSolver<Geometric> modes(geometric);
+      return modes.eigenvectors() *
+             modes.eigenvalues().cwiseAbs().asDiagonal() *
+             modes.eigenvectors().transpose();
+    }
   } // namespace
 
 
@@ -312,10 +378,8 @@ namespace fiberloom
                         Vector       &residual,
                         Matrix       *tangent) const
   {
-    constexpr bool with_tangent = curvature != Curvature::none;
-    using StrainGradient        = Eigen::Matrix<double, 15, 27>;
-
-    const Matrix3 section_strain = node_section_gram(q, radius) - node_gram;
+    constexpr bool with_tangent   = curvature != Curvature::none;
+    const Matrix3  section_strain = node_section_gram(q, radius) - node_gram;
 
     // Stress resultants that multiply the section strains of each node.
     const Vector3 mode_stress =
@@ -325,8 +389,7 @@ namespace fiberloom
       mode_stress * Eigen::Map<const Eigen::RowVector3d>(mode.data());
 
     residual.setZero();
-    // The stress-dependent part acts alike on the three directions.
-    Eigen::Matrix<double, 9, 9> geometric = Eigen::Matrix<double, 9, 9>::Zero();
+    Geometric geometric = Geometric::Zero();
     if constexpr (with_tangent)
       tangent->setZero();
 
@@ -343,57 +406,13 @@ namespace fiberloom
         for (unsigned int k = 0; k < 3; ++k)
           for (unsigned int a = 0; a < 3; ++a)
             node_stress(k, a) += point.shape[a] * S[section_rows[k]];
-
-        for (unsigned int k = 0; k < SectionStiffness::n_strains; ++k)
-          {
-            const auto [i, j] = SectionStiffness::pairs[k];
-            if (i < 2 && j < 2)
-              continue;
-            for (unsigned int a = 0; a < 3; ++a)
-              {
-                residual.segment<3>(9 * a + 3 * slot[i]) +=
-                  S[k] * interpolation.coefficients[i][a] * vectors[j];
-                if (i != j)
-                  residual.segment<3>(9 * a + 3 * slot[j]) +=
-                    S[k] * interpolation.coefficients[j][a] * vectors[i];
-              }
-            if constexpr (with_tangent)
-              {
-                for (unsigned int a = 0; a < 3; ++a)
-                  for (unsigned int b = 0; b < 3; ++b)
-                    {
-                      const double value = S[k] *
-                                           interpolation.coefficients[i][a] *
-                                           interpolation.coefficients[j][b];
-                      geometric(3 * a + slot[i], 3 * b + slot[j]) += value;
-                      if (i != j)
-                        geometric(3 * b + slot[j], 3 * a + slot[i]) += value;
-                    }
-              }
-          }
+        add_forces(interpolation, vectors, S, residual);
 
         if constexpr (with_tangent)
           {
-            StrainGradient B = StrainGradient::Zero();
-            for (unsigned int k = 0; k < SectionStiffness::n_strains; ++k)
-              {
-                const auto [i, j] = SectionStiffness::pairs[k];
-                if (i < 2 && j < 2)
-                  continue;
-                for (unsigned int a = 0; a < 3; ++a)
-                  {
-                    B.block<1, 3>(k, 9 * a + 3 * slot[i]) +=
-                      interpolation.coefficients[i][a] * vectors[j].transpose();
-                    if (i != j)
-                      B.block<1, 3>(k, 9 * a + 3 * slot[j]) +=
-                        interpolation.coefficients[j][a] *
-                        vectors[i].transpose();
-                  }
-              }
-            for (unsigned int k = 0; k < 3; ++k)
-              for (unsigned int a = 0; a < 3; ++a)
-                B.block<1, 9>(section_rows[k], 9 * a) =
-                  point.shape[a] * node_section_gradient(q, k, a);
+            add_geometric(interpolation, S, geometric);
+            const StrainGradient B =
+              strain_gradient(interpolation, vectors, point, q);
             StrainGradient DB = point.stiffness * B;
             if (linear_stiffness > 0)
               DB.row(axial) += linear_stiffness *
@@ -424,20 +443,41 @@ namespace fiberloom
               mode[a] * node_section_gradient(q, k, a);
         tangent->noalias() +=
           gradient.transpose() * (hourglass_stiffness * gradient);
-
         if constexpr (curvature == Curvature::convex)
-          {
-            const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>>
-              modes(geometric);
-            geometric = modes.eigenvectors() *
-                        modes.eigenvalues().cwiseAbs().asDiagonal() *
-                        modes.eigenvectors().transpose();
-          }
+          geometric = with_absolute_modes(geometric);
         for (unsigned int a = 0; a < 9; ++a)
           for (unsigned int b = 0; b < 9; ++b)
             for (unsigned int d = 0; d < 3; ++d)
               (*tangent)(3 * a + d, 3 * b + d) += geometric(a, b);
       }
+  }
+
+
+
+  template <typename Interpolation>
+  BeamElement::StrainGradient
+  BeamElement::strain_gradient(const Interpolation          &interpolation,
+                               const std::array<Vector3, 5> &vectors,
+                               const GaussPoint             &point,
+                               const Vector                 &q) const
+  {
+    StrainGradient B = StrainGradient::Zero();
+    for_line_strains(
+      [&](const unsigned int k, const unsigned int i, const unsigned int j) {
+        for (unsigned int a = 0; a < 3; ++a)
+          {
+            B.block<1, 3>(k, 9 * a + 3 * slot[i]) +=
+              interpolation.coefficients[i][a] * vectors[j].transpose();
+            if (i != j)
+              B.block<1, 3>(k, 9 * a + 3 * slot[j]) +=
+                interpolation.coefficients[j][a] * vectors[i].transpose();
+          }
+      });
+    for (unsigned int k = 0; k < 3; ++k)
+      for (unsigned int a = 0; a < 3; ++a)
+        B.block<1, 9>(section_rows[k], 9 * a) =
+          point.shape[a] * node_section_gradient(q, k, a);
+    return B;
   }
 
 

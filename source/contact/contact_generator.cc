@@ -331,8 +331,7 @@ namespace fiberloom
 
         if (!zone.crossing)
           {
-            add_parallel_stations(
-              proximity, counted, index, q, state, contacts);
+            add_parallel_stations(proximity, index, q, state, contacts);
             continue;
           }
 

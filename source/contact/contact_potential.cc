@@ -13,7 +13,6 @@ namespace fiberloom
 {
   namespace
   {
-    using Nine   = Eigen::Matrix<double, 9, 1>;
     using Points = ContactElement::Points;
 
     /** By the sections: d is the difference of the centres. */
@@ -128,6 +127,135 @@ namespace fiberloom
             potential.column[s][r].setZero();
           }
     }
+
+    /** The conditions on the points of contact, and how these slide with the
+     * sections, along the fibers from number @p first on. */
+    struct Sliding
+    {
+      template <typename Jacobian>
+      Sliding(const ContactElement &contact,
+              const PointPair      &points,
+              const Jacobian       &jacobian);
+
+      /** With which the conditions count in the slope of what has the slope
+       * @p v by the sections, points kept. */
+      Eigen::Vector2d
+      multipliers(const SectionPair &v) const
+      {
+        return n == 1 ? Eigen::Vector2d(-slopes(v)[1] * inverse(0, 0), 0) :
+                        Eigen::Vector2d(-inverse.transpose() * slopes(v));
+      }
+
+      /** Along the fibers. */
+      Eigen::Vector2d
+      slopes(const SectionPair &v) const
+      {
+        return {v.head<9>().dot(points[0].slope),
+                v.tail<9>().dot(points[1].slope)};
+      }
+
+      const PointPair           &points;
+      unsigned int               n, first;
+      std::array<Vector6, 2>     conditions{{Vector6::Zero(), Vector6::Zero()}};
+      std::array<SectionPair, 2> by_points, slide;
+      Eigen::Matrix2d            inverse = Eigen::Matrix2d::Zero();
+    };
+
+    template <typename Jacobian>
+    Sliding::Sliding(const ContactElement &contact,
+                     const PointPair      &points,
+                     const Jacobian       &jacobian)
+      : points(points)
+      , n(contact.following == Points::on_plane ? 1 : 2)
+      , first(2 - n)
+    {
+      conditions[0][along_1]     = 1;
+      conditions[n - 1][along_2] = n == 1 ? contact.orientation : 1;
+      for (unsigned int k = 0; k < n; ++k)
+        by_points[k] =
+          by_sections(Vector15(jacobian.transpose() * conditions[k]));
+      if (n == 1)
+        {
+          inverse(0, 0) = 1 / slopes(by_points[0])[1];
+          slide[0]      = -inverse(0, 0) * by_points[0];
+          return;
+        }
+      Eigen::Matrix2d system;
+      system << slopes(by_points[0]).transpose(),
+        slopes(by_points[1]).transpose();
+      inverse = system.inverse();
+      for (unsigned int k = 0; k < 2; ++k)
+        slide[k] = -inverse(k, 0) * by_points[0] - inverse(k, 1) * by_points[1];
+    }
+
+    /** Of the energy by the scalars. */
+    Matrix6
+    curvature(const NormalLaw &law, const Gap &gap, const Points following)
+    {
+      Matrix6 curvature =
+        law.value.derivative * gap.gradient * gap.gradient.transpose() -
+        law.value.force * gap.hessian;
+      if (following == Points::on_plane)
+        return curvature;
+      const Vector6 mixed = -law.value.force * law.spread.first * gap.gradient;
+      curvature.col(cosine) += mixed;
+      curvature.row(cosine) += mixed.transpose();
+      curvature(cosine, cosine) += law.value.energy * law.spread.second;
+      return curvature;
+    }
+
+    /** From the @p hessian where the points are kept. Where they slide by y,
+     * forces on the sections along the fibers count as well: H + l y^T + y l^T.
+     */
+    void
+    set_exact(const SectionPair2 &hessian,
+              const PointPair    &points,
+              const Sliding      &sliding,
+              ContactPotential   &potential)
+    {
+      const unsigned int         n = sliding.n, first = sliding.first;
+      const auto                &slide = sliding.slide;
+      const SectionPair         &L     = potential.residual;
+      std::array<SectionPair, 2> half; // l, by the parts of y
+      for (unsigned int k = 0; k < n; ++k)
+        half[k] = first + k == 0 ?
+                    SectionPair(hessian.leftCols<9>() * points[0].slope) :
+                    SectionPair(hessian.rightCols<9>() * points[1].slope);
+      Eigen::Matrix2d along = Eigen::Matrix2d::Zero();
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int l = 0; l < n; ++l)
+          {
+            along(k, l) = first + l == 0 ?
+                            half[k].head<9>().dot(points[0].slope) :
+                            half[k].tail<9>().dot(points[1].slope);
+            if (k == l)
+              along(k, l) += first + k == 0 ?
+                               L.head<9>().dot(points[0].second) :
+                               L.tail<9>().dot(points[1].second);
+          }
+      SectionPair2 both = hessian;
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          SectionPair l = half[k];
+          for (unsigned int j = 0; j < n; ++j)
+            l += .5 * along(k, j) * slide[j];
+          both.noalias() += l * slide[k].transpose();
+          both.noalias() += slide[k] * l.transpose();
+        }
+      for (unsigned int s = 0; s < 2; ++s)
+        for (unsigned int r = 0; r < 2; ++r)
+          {
+            potential.both[s][r] = both.block<9, 9>(9 * s, 9 * r);
+            // Of the derivative of fiber s with the slide of its point.
+            if (s < first)
+              potential.row[s][r].setZero();
+            else
+              potential.row[s][r] =
+                L.segment<9>(9 * s) *
+                slide[s - first].segment<9>(9 * r).transpose();
+            potential.column[r][s] = potential.row[s][r].transpose();
+          }
+    }
   } // namespace
 
 
@@ -184,61 +312,25 @@ namespace fiberloom
     store(contact, c, gap.value, law.value);
     set_nodes(points, potential);
 
-    const bool         on_plane = contact.following == Points::on_plane;
-    const unsigned int n        = on_plane ? 1 : 2; // conditions on points
-    const auto         jacobian = jacobian_of(c);
-    const Nine        &slope_1 = points[0].slope, &slope_2 = points[1].slope;
-
     // Derivatives by the scalars, then by the sections, points kept.
-    Vector6 by_scalars = -law.value.force * gap.gradient;
+    const auto jacobian   = jacobian_of(c);
+    Vector6    by_scalars = -law.value.force * gap.gradient;
     by_scalars[cosine] += law.value.energy * law.spread.first;
-    const SectionPair energy =
-      by_sections(Vector15(jacobian.transpose() * by_scalars));
     Vector6 force_by_scalars = -law.value.derivative * gap.gradient;
     force_by_scalars[cosine] += law.value.force * law.spread.first;
-
-    // The conditions on the points, and how these slide.
-    std::array<Vector6, 2> conditions{{Vector6::Zero(), Vector6::Zero()}};
-    conditions[0][along_1]                = 1;
-    conditions[on_plane ? 0 : 1][along_2] = on_plane ? contact.orientation : 1;
-    std::array<SectionPair, 2> by_points, slide;
-    for (unsigned int k = 0; k < n; ++k)
-      by_points[k] =
-        by_sections(Vector15(jacobian.transpose() * conditions[k]));
-    // Of the energy's multipliers and the force's.
-    Eigen::Vector2d   multipliers(0, 0), of_force(0, 0);
-    const SectionPair force =
+    potential.residual =
+      by_sections(Vector15(jacobian.transpose() * by_scalars));
+    potential.force_slope =
       by_sections(Vector15(jacobian.transpose() * force_by_scalars));
-    const auto slopes_of = [&](const SectionPair &v) {
-      return Eigen::Vector2d(v.head<9>().dot(slope_1),
-                             v.tail<9>().dot(slope_2));
-    };
-    if (on_plane)
+
+    const Sliding sliding(contact, points, jacobian);
+    const auto    multipliers = sliding.multipliers(potential.residual),
+               of_force       = sliding.multipliers(potential.force_slope);
+    for (unsigned int k = 0; k < sliding.n; ++k)
       {
-        const double slope = slopes_of(by_points[0])[1];
-        multipliers[0]     = -slopes_of(energy)[1] / slope;
-        of_force[0]        = -slopes_of(force)[1] / slope;
-        slide[0]           = -by_points[0] / slope;
-      }
-    else
-      {
-        Eigen::Matrix2d system;
-        system << slopes_of(by_points[0]).transpose(),
-          slopes_of(by_points[1]).transpose();
-        const Eigen::Matrix2d inverse = system.inverse();
-        multipliers = -inverse.transpose() * slopes_of(energy);
-        of_force    = -inverse.transpose() * slopes_of(force);
-        for (unsigned int k = 0; k < 2; ++k)
-          slide[k] =
-            -inverse(k, 0) * by_points[0] - inverse(k, 1) * by_points[1];
-      }
-    potential.residual    = energy;
-    potential.force_slope = force;
-    for (unsigned int k = 0; k < n; ++k)
-      {
-        potential.residual += multipliers[k] * by_points[k];
-        potential.force_slope += of_force[k] * by_points[k];
-        by_scalars += multipliers[k] * conditions[k];
+        potential.residual += multipliers[k] * sliding.by_points[k];
+        potential.force_slope += of_force[k] * sliding.by_points[k];
+        by_scalars += multipliers[k] * sliding.conditions[k];
       }
     if (asked == Curvature::none)
       return true;
@@ -248,62 +340,10 @@ namespace fiberloom
         return true;
       }
 
-    Matrix6 curvature =
-      law.value.derivative * gap.gradient * gap.gradient.transpose() -
-      law.value.force * gap.hessian;
-    if (!on_plane)
-      {
-        const Vector6 mixed =
-          -law.value.force * law.spread.first * gap.gradient;
-        curvature.col(cosine) += mixed;
-        curvature.row(cosine) += mixed.transpose();
-        curvature(cosine, cosine) += law.value.energy * law.spread.second;
-      }
-    Matrix15 by_vectors = jacobian.transpose() * curvature * jacobian;
+    Matrix15 by_vectors =
+      jacobian.transpose() * curvature(law, gap, contact.following) * jacobian;
     add_second_derivatives(c, by_scalars, by_vectors);
-    const SectionPair2 hessian = by_sections(by_vectors);
-
-    // Where the points slide by y, forces on the sections along the fibers
-    // count as well: H + l y^T + y l^T.
-    SectionPair2               both = hessian;
-    const SectionPair         &L    = potential.residual;
-    std::array<SectionPair, 2> half;                     // l, by the parts of y
-    const unsigned int         first = on_plane ? 1 : 0; // fiber of slide[0]
-    for (unsigned int k = 0; k < n; ++k)
-      half[k] = first + k == 0 ? SectionPair(hessian.leftCols<9>() * slope_1) :
-                                 SectionPair(hessian.rightCols<9>() * slope_2);
-    Eigen::Matrix2d sliding = Eigen::Matrix2d::Zero();
-    for (unsigned int k = 0; k < n; ++k)
-      for (unsigned int l = 0; l < n; ++l)
-        {
-          sliding(k, l) = first + l == 0 ? half[k].head<9>().dot(slope_1) :
-                                           half[k].tail<9>().dot(slope_2);
-          if (k == l)
-            sliding(k, l) += first + k == 0 ?
-                               L.head<9>().dot(points[0].second) :
-                               L.tail<9>().dot(points[1].second);
-        }
-    for (unsigned int k = 0; k < n; ++k)
-      {
-        SectionPair l = half[k];
-        for (unsigned int j = 0; j < n; ++j)
-          l += .5 * sliding(k, j) * slide[j];
-        both.noalias() += l * slide[k].transpose();
-        both.noalias() += slide[k] * l.transpose();
-      }
-    for (unsigned int s = 0; s < 2; ++s)
-      for (unsigned int r = 0; r < 2; ++r)
-        {
-          potential.both[s][r] = both.block<9, 9>(9 * s, 9 * r);
-          // Of the derivative of fiber s with the slide of its point.
-          if (s < first)
-            potential.row[s][r].setZero();
-          else
-            potential.row[s][r] =
-              L.segment<9>(9 * s) *
-              slide[s - first].segment<9>(9 * r).transpose();
-          potential.column[r][s] = potential.row[s][r].transpose();
-        }
+    set_exact(by_sections(by_vectors), points, sliding, potential);
     return true;
   }
 } // namespace fiberloom

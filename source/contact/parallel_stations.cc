@@ -108,14 +108,14 @@ namespace fiberloom
   void
   ContactGenerator::add_parallel_stations(
     const ProximityZone         &proximity,
-    const std::array<double, 2> &counted,
     const unsigned int           zone,
     const DofVector             &q,
     ContactState                &state,
     std::vector<ContactElement> &contacts) const
   {
-    const auto  &pair  = proximity.fibers;
-    const double reach = mesh.lines()[pair[0]].radius +
+    const auto  &pair    = proximity.fibers;
+    const auto   counted = counted_part(proximity);
+    const double reach   = mesh.lines()[pair[0]].radius +
                          mesh.lines()[pair[1]].radius +
                          parameters.search_margin * mesh.largest_radius();
     const double       cell   = 1. / parameters.stations_per_element; // in u

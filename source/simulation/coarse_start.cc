@@ -3,7 +3,6 @@
 
 #include <fiberloom/simulation/coarse_start.h>
 #include <fiberloom/simulation/refinement.h>
-#include <fiberloom/simulation/stage_run.h>
 
 #include <boost/format.hpp>
 
@@ -60,30 +59,32 @@ namespace fiberloom
 
 
   std::optional<State>
-  start_coarsely(const Scene                 &scene,
-                 const std::string           &name,
-                 StageStatistics             &statistics,
-                 Log                         &log,
-                 const MPI_Comm               comm,
-                 const std::function<bool()> &stop_requested)
+  start_coarsely(const Scene      &scene,
+                 const RunContext &context,
+                 StageStatistics  &statistics)
   {
     Parameters parameters = scene.parameters;
     if (!coarsen(parameters))
       return {};
-    const FiberSet  fibers = build_fiber_set(parameters);
-    const FiberMesh mesh(fibers);
-    const Scene     coarse{parameters, fibers, mesh};
-    log.write(
+    const FiberSet     fibers = build_fiber_set(parameters);
+    const FiberMesh    mesh(fibers);
+    const Scene        coarse{parameters, fibers, mesh};
+    const std::string &name = statistics.name;
+    context.log.write(
       (boost::format("  %-6s on %u elements first") % name % mesh.n_elements())
         .str());
 
-    StageStatistics  cost;
-    ContactGenerator generator(fibers, mesh, parameters.contact, comm);
+    StageStatistics cost;
+    cost.name = name;
+    ContactGenerator generator(fibers, mesh, parameters.contact, context.comm);
     const auto       stage = create_stage(name, coarse);
     State            state;
     state.q = mesh.initial();
-    StageRun run(
-      coarse, *stage, name, generator, cost, log, comm, stop_requested, state);
+    StageRun   run(coarse,
+                 *stage,
+                 {generator, context.log, context.comm, context.stop_requested},
+                 cost,
+                 state);
     const bool arrived = run.run_fast(state);
     statistics.coarse_iterations +=
       cost.newton_iterations + cost.coarse_iterations;
@@ -102,7 +103,7 @@ namespace fiberloom
         (boost::format("; %u elements may take some %.0f s") %
          scene.mesh.n_elements() % (iterations_of_next * larger * seconds))
           .str();
-    log.write(line);
+    context.log.write(line);
     if (!arrived)
       return {};
     const Refinement finer{2,

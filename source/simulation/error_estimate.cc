@@ -526,17 +526,16 @@ namespace fiberloom
 
   ErrorEstimate
   estimate_error(const Scene                 &scene,
-                 const std::string           &name,
-                 const State                 &before,
-                 const State                 &found,
+                 const LastIncrement         &last,
                  const MPI_Comm               comm,
                  const std::function<void()> &ask)
   {
-    if (!create_stage(name, scene)->is_test())
+    if (!create_stage(last.stage, scene)->is_test())
       return {};
     try
       {
-        return Estimate{scene, name, before, found, comm, ask}.error();
+        return Estimate{scene, last.stage, last.before, last.found, comm, ask}
+          .error();
       }
     catch (const StageFailure &)
       {

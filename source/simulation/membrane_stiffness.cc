@@ -75,25 +75,24 @@ namespace fiberloom
 
 
   std::vector<double>
-  membrane_stiffness(const Scene                       &scene,
-                     const Supports                    &supports,
-                     const State                       &state,
-                     const std::vector<ContactElement> &contacts,
-                     const std::vector<BodyVector>     &reactions,
-                     const MPI_Comm                     comm,
-                     StageStatistics                   &statistics)
+  membrane_stiffness(const Scene     &scene,
+                     const Balance   &balance,
+                     const MPI_Comm   comm,
+                     StageStatistics &statistics)
   {
-    Supports free = supports;
+    const State &state = balance.state;
+    Supports     free  = balance.supports;
     for (unsigned int k = 0; k < 3; ++k)
       free.bodies[Cell::body].prescribed.reset(k);
     Targets targets;
     for (const Placement &placement : state.placements)
       targets.bodies.push_back({placement});
-    targets.bodies[Cell::body].load.head<3>() = reactions[Cell::body].head<3>();
+    targets.bodies[Cell::body].load.head<3>() =
+      balance.reactions[Cell::body].head<3>();
 
     System       system(scene.mesh, free, comm, scene.composite);
     LinearSolver solver(system, scene.parameters.solver.linear_solver);
-    auto         found = contacts;
+    auto         found = balance.contacts;
     system.reinit(found);
     system.set_curvature(Curvature::exact);
     system.assemble(state, targets, found);

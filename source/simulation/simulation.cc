@@ -461,12 +461,8 @@ namespace fiberloom
               StageRun run(
                 scene,
                 *stage,
-                name,
-                generator,
+                {generator, log, comm, [&stop]() { return stop.requested(); }},
                 statistics,
-                log,
-                comm,
-                [&stop]() { return stop.requested(); },
                 state);
               StageRun::Estimate estimated;
               if (parameters.solver.error_estimate)
@@ -553,7 +549,7 @@ namespace fiberloom
     {
       ScopedTimer timer(statistics.seconds.estimate);
       statistics.estimated_error = estimate_error(
-        scene, statistics.name, before, reached, comm, [&stop]() {
+        scene, {statistics.name, before, reached}, comm, [&stop]() {
           if (stop.requested())
             throw StopRequested("");
         });

@@ -81,40 +81,34 @@ namespace fiberloom
 
 
 
-  StageRun::StageRun(const Scene          &scene,
-                     const Stage          &stage,
-                     const std::string    &name,
-                     ContactGenerator     &generator,
-                     StageStatistics      &statistics,
-                     Log                  &log,
-                     const MPI_Comm        comm,
-                     std::function<bool()> stop_requested,
-                     const State          &state)
+  StageRun::StageRun(const Scene      &scene,
+                     const Stage      &stage,
+                     const RunContext &context,
+                     StageStatistics  &statistics,
+                     const State      &state)
     : scene(scene)
     , stage(stage)
-    , name(name)
-    , generator(generator)
+    , name(statistics.name)
+    , context(context)
     , statistics(statistics)
-    , log(log)
-    , stop_requested(std::move(stop_requested))
     , breakage(stage.is_test() && can_break(scene.fibers) ?
                  std::make_unique<Breakage>(scene.fibers, scene.mesh) :
                  nullptr)
     , supports(stage.supports(is_begun(state) ? state.stage_start_q : state.q))
-    , system(scene.mesh, supports, comm, scene.composite)
+    , system(scene.mesh, supports, context.comm, scene.composite)
     , equilibrium(scene.parameters,
-                  generator,
+                  context.generator,
                   system,
                   statistics,
                   [this](const Equilibrium::Progress &progress) {
                     if (this->scene.parameters.output.iterations ||
-                        this->log.silence() > longest_silence)
-                      this->log.write(iteration_line(progress));
-                    if (this->stop_requested())
+                        this->context.log.silence() > longest_silence)
+                      this->context.log.write(iteration_line(progress));
+                    if (this->context.stop_requested())
                       throw StopRequested("");
                   })
     , shown(statistics)
-    , counted_searches(generator.n_searches())
+    , counted_searches(context.generator.n_searches())
   {
     if (is_begun(state) && state.placements.size() != supports.bodies.size())
       throw InputError("stage " + name +
@@ -195,12 +189,7 @@ namespace fiberloom
     if (!stage.starts_coarsely() || !state.stages_done.empty() ||
         state.coarse.q.size() > 0)
       return false;
-    const auto coarse = start_coarsely(scene,
-                                       name,
-                                       statistics,
-                                       log,
-                                       system.layout().communicator(),
-                                       stop_requested);
+    const auto coarse = start_coarsely(scene, context, statistics);
     if (coarse)
       state.coarse = {coarse->q, coarse->placements, coarse->contact};
     return coarse.has_value();
@@ -300,10 +289,11 @@ namespace fiberloom
                              (tiny ? ", tiny as it is" : "") +
                              unbalanced(found) + advice(passed));
         state.step /= 2;
-        log.write((boost::format("  %-8s increment to load %.4f failed, cut "
-                                 "to %.2e") %
-                   name % load % state.step)
-                    .str());
+        context.log.write(
+          (boost::format("  %-8s increment to load %.4f failed, cut "
+                         "to %.2e") %
+           name % load % state.step)
+            .str());
       }
   }
 
@@ -327,9 +317,10 @@ namespace fiberloom
             entry.increment = found.increment + 1;
             entry.load      = load;
           }
-        log.write((boost::format("  %-6s breaks at load %.4f: %u, %u in all") %
-                   name % load % broken.size() % found.fibers.breaks.size())
-                    .str());
+        context.log.write(
+          (boost::format("  %-6s breaks at load %.4f: %u, %u in all") % name %
+           load % broken.size() % found.fibers.breaks.size())
+            .str());
         if (!equilibrium.solve_again(found, problem))
           return false;
       }
@@ -436,8 +427,8 @@ namespace fiberloom
       system.dissipation(state);
 
     ++statistics.increments;
-    statistics.searches += generator.n_searches() - counted_searches;
-    counted_searches            = generator.n_searches();
+    statistics.searches += context.generator.n_searches() - counted_searches;
+    counted_searches            = context.generator.n_searches();
     statistics.friction_history = state.contact.history.size();
     statistics.exchanged_values = system.matrix().n_exchanged();
     statistics.contact_elements = equilibrium.contacts().size();
@@ -452,7 +443,7 @@ namespace fiberloom
       system.stored_energy(state, equilibrium.contacts());
     statistics.negative_pivots = equilibrium.negative_pivots();
     statistics.crossings_out_of_order =
-      generator.crossings_out_of_order(state.q);
+      context.generator.crossings_out_of_order(state.q);
   }
 
 
@@ -499,19 +490,16 @@ namespace fiberloom
   void
   StageRun::show(const State &state, const IncrementObserver &observer)
   {
-    log.write(increment_line(state));
+    context.log.write(increment_line(state));
     shown = statistics;
     if (stage.finds_stiffness())
       {
-        statistics.filled_thickness = filled_thickness(scene, state);
-        statistics.membrane_stiffness =
-          membrane_stiffness(scene,
-                             supports,
-                             state,
-                             equilibrium.contacts(),
-                             system.reactions(),
-                             system.layout().communicator(),
-                             statistics);
+        statistics.filled_thickness   = filled_thickness(scene, state);
+        statistics.membrane_stiffness = membrane_stiffness(
+          scene,
+          {supports, state, equilibrium.contacts(), system.reactions()},
+          context.comm,
+          statistics);
       }
     report(state, observer);
   }

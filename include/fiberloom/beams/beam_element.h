@@ -108,6 +108,8 @@ namespace fiberloom
     }
 
   private:
+    using StrainGradient = Eigen::Matrix<double, 15, 27>;
+
     struct GaussPoint
     {
       SectionStiffness::Matrix stiffness; // per unit length
@@ -132,6 +134,14 @@ namespace fiberloom
     template <Curvature curvature>
     void
     evaluate(const Vector &q, Vector &residual, Matrix *tangent) const;
+
+    /** Derivative of the strains at @p point by @p q . */
+    template <typename Interpolation>
+    StrainGradient
+    strain_gradient(const Interpolation          &interpolation,
+                    const std::array<Vector3, 5> &vectors,
+                    const GaussPoint             &point,
+                    const Vector                 &q) const;
 
     /** Of e11, e22 or e12 at a node by that node's dofs. */
     Eigen::Matrix<double, 1, 9>

@@ -205,7 +205,6 @@ namespace fiberloom
 
     void
     add_parallel_stations(const ProximityZone         &proximity,
-                          const std::array<double, 2> &counted,
                           const unsigned int           zone,
                           const DofVector             &q,
                           ContactState                &state,

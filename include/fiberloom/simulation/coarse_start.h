@@ -4,31 +4,23 @@
 #ifndef fiberloom_simulation_coarse_start_h
 #define fiberloom_simulation_coarse_start_h
 
-#include <fiberloom/base/log.h>
-#include <fiberloom/base/statistics.h>
+#include <fiberloom/simulation/stage_run.h>
 
-#include <fiberloom/stages/stage.h>
-
-#include <functional>
 #include <optional>
-#include <string>
 
 namespace fiberloom
 {
   /**
-   * Nested iteration: the end of the stage @p name of the same fabric with half
+   * Nested iteration: the end of a stage of the same fabric with half
    * as many elements, which starts from one with a quarter, and so on, carried
    * over to the mesh of @p scene , by the stage's fast path. Nothing where
-   * fewer elements would not show each crossing or do not come to rest. Throws
-   * StopRequested when @p stop_requested says so.
+   * fewer elements would not show each crossing or do not come to rest. Adds to
+   * @p statistics , which name the stage. Throws StopRequested on request.
    */
   std::optional<State>
-  start_coarsely(const Scene                 &scene,
-                 const std::string           &name,
-                 StageStatistics             &statistics,
-                 Log                         &log,
-                 const MPI_Comm               comm,
-                 const std::function<bool()> &stop_requested);
+  start_coarsely(const Scene      &scene,
+                 const RunContext &context,
+                 StageStatistics  &statistics);
 } // namespace fiberloom
 
 #endif

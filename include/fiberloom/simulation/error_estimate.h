@@ -16,20 +16,24 @@
 
 namespace fiberloom
 {
+  /** Which led from one state in balance to another. */
+  struct LastIncrement
+  {
+    const std::string &stage;
+    const State       &before, &found;
+  };
+
   /**
-   * How far the loading curve of stage @p name is from the converged one at the
-   * end of its last increment, which led from @p before to @p found . From the
-   * state found, a few iterations are done with elements half as long, with
-   * twice the stations, with stiffer contact, or with cells of the matrix half
-   * as large; what changes in the curve is taken on to the limit. NaN where
-   * that is not to be had. @p ask is called before each iteration and may
-   * throw. Collective.
+   * How far the loading curve of a stage is from the converged one at the
+   * end of its last increment @p last . From the state found, a few iterations
+   * are done with elements half as long, with twice the stations, with stiffer
+   * contact, or with cells of the matrix half as large; what changes in the
+   * curve is taken on to the limit. NaN where that is not to be had. @p ask is
+   * called before each iteration and may throw. Collective.
    */
   ErrorEstimate
   estimate_error(const Scene                 &scene,
-                 const std::string           &name,
-                 const State                 &before,
-                 const State                 &found,
+                 const LastIncrement         &last,
                  const MPI_Comm               comm,
                  const std::function<void()> &ask);
 

@@ -10,23 +10,29 @@
 
 namespace fiberloom
 {
+  /** A state in balance, and what holds it so. */
+  struct Balance
+  {
+    const Supports                    &supports;
+    const State                       &state;
+    const std::vector<ContactElement> &contacts;
+    const std::vector<BodyVector>     &reactions; // per body [N], [N mm]
+  };
+
   /**
    * Derivative of the forces per width along warp, along fill and in shear by
    * the strains [N/mm], a symmetric 3 x 3 matrix row by row, of a periodic cell
-   * in balance at @p state with @p contacts and @p reactions . Strains count
-   * from that state on. The cell is let free under what holds it; each of three
-   * unit loads then has an answer by the exact tangent, and the inverse of
-   * these is the stiffness condensed onto the cell. Collective. Adds to @p
-   * statistics . Throws StageFailure where the tangent is singular.
+   * in @p balance . Strains count from its state on. The cell is let free under
+   * what holds it; each of three unit loads then has an answer by the exact
+   * tangent, and the inverse of these is the stiffness condensed onto the cell.
+   * Collective. Adds to @p statistics . Throws StageFailure where the tangent
+   * is singular.
    */
   std::vector<double>
-  membrane_stiffness(const Scene                       &scene,
-                     const Supports                    &supports,
-                     const State                       &state,
-                     const std::vector<ContactElement> &contacts,
-                     const std::vector<BodyVector>     &reactions,
-                     const MPI_Comm                     comm,
-                     StageStatistics                   &statistics);
+  membrane_stiffness(const Scene     &scene,
+                     const Balance   &balance,
+                     const MPI_Comm   comm,
+                     StageStatistics &statistics);
 
   /** Mean distance of the flat faces of a cell that is filled with matrix [mm],
    * 0 of others. */

@@ -17,6 +17,15 @@
 
 namespace fiberloom
 {
+  /** What a stage is run with, besides its scene. */
+  struct RunContext
+  {
+    ContactGenerator     &generator;
+    Log                  &log;
+    const MPI_Comm        comm;
+    std::function<bool()> stop_requested; // asked before each Newton iteration
+  };
+
   /**
    * Takes a stage from its start, or from where @p state is, to its end by
    * increments of the load. A failed increment is rolled back, cut and tried
@@ -25,19 +34,13 @@ namespace fiberloom
   class StageRun
   {
   public:
-    /**
-     * @p stop_requested is asked before each Newton iteration; @p state is
-     * where the run will begin or go on.
-     */
-    StageRun(const Scene          &scene,
-             const Stage          &stage,
-             const std::string    &name,
-             ContactGenerator     &generator,
-             StageStatistics      &statistics,
-             Log                  &log,
-             const MPI_Comm        comm,
-             std::function<bool()> stop_requested,
-             const State          &state);
+    /** Of the stage that @p statistics name; @p state is where the run will
+     * begin or go on. */
+    StageRun(const Scene      &scene,
+             const Stage      &stage,
+             const RunContext &context,
+             StageStatistics  &statistics,
+             const State      &state);
 
     /** Is asked for what is known of an increment between two states. */
     using Estimate =
@@ -164,10 +167,8 @@ namespace fiberloom
     const Scene                           scene;
     const Stage                          &stage;
     const std::string                     name;
-    ContactGenerator                     &generator;
+    const RunContext                      context;
     StageStatistics                      &statistics;
-    Log                                  &log;
-    std::function<bool()>                 stop_requested;
     const std::unique_ptr<const Breakage> breakage; // null: nothing breaks
     const Supports                        supports;
     System                                system;
