@@ -97,8 +97,7 @@ namespace fiberloom
   Assembly::held_group(const std::vector<unsigned int> &nodes,
                        const std::vector<NodeImage>    &images) const
   {
-    return HeldGroup(nodes.data(),
-                     nodes.size(),
+    return HeldGroup({nodes.data(), nodes.size()},
                      motion.attachments(),
                      supports,
                      layout,

@@ -142,16 +142,15 @@ namespace fiberloom
 
 
 
-  HeldGroup::HeldGroup(const unsigned int           *nodes,
-                       const unsigned int            n_nodes,
+  HeldGroup::HeldGroup(const dealii::ArrayView<const unsigned int> &nodes,
                        const std::vector<int>       &attachment_of_node,
                        const Supports               &supports,
                        const BlockLayout            &layout,
                        const std::vector<NodeImage> &images)
-    : n_nodes(n_nodes)
+    : n_nodes(nodes.size())
     , supports(supports)
     , layout(layout)
-    , blocks(nodes, nodes + n_nodes)
+    , blocks(nodes.begin(), nodes.end())
     , held(n_nodes, nullptr)
     , carried(n_nodes)
     , body_position(n_nodes, 0)

@@ -192,8 +192,7 @@ namespace fiberloom
     using Block =
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const unsigned int n_nodes = group.nodes.size();
-    HeldGroup          transformed(group.nodes.data(),
-                          n_nodes,
+    HeldGroup          transformed({group.nodes.data(), n_nodes},
                           motion.attachments(),
                           supports,
                           layout,

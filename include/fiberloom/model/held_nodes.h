@@ -10,6 +10,8 @@
 
 #include <fiberloom/model/block_layout.h>
 
+#include <deal.II/base/array_view.h>
+
 #include <vector>
 
 namespace fiberloom
@@ -55,12 +57,11 @@ namespace fiberloom
   public:
     /** @p images : what each node is the image of; empty where @p nodes are
      * originals. */
-    HeldGroup(const unsigned int           *nodes,
-              const unsigned int            n_nodes,
-              const std::vector<int>       &attachment_of_node,
-              const Supports               &supports,
-              const BlockLayout            &layout,
-              const std::vector<NodeImage> &images = {});
+    HeldGroup(const dealii::ArrayView<const unsigned int> &nodes,
+              const std::vector<int>                      &attachment_of_node,
+              const Supports                              &supports,
+              const BlockLayout                           &layout,
+              const std::vector<NodeImage>                &images = {});
 
     template <class Vector>
     void
