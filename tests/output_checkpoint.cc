@@ -222,6 +222,6 @@ main(int argc, char **argv)
   out << " " << (read_file("precious") == "precious");
   mkfifo("pipe.tmp", 0600);
   mkfifo("pipe", 0600);
-  write_file("pipe", "new", true);
+  write_file("pipe", "new", Durability::on_disk);
   out << ", pipes are replaced " << (read_file("pipe") == "new") << "\n";
 }

@@ -43,9 +43,30 @@ namespace fiberloom
       std::vector<double>  knots; // from 0, at the lengths of the chords
       std::vector<Vector3> points, slopes;
 
-      /** Value or, by s, derivative. */
+      /** A piece at a place: p + x h (m + x (b + x c)). */
+      struct Piece
+      {
+        double  h, x;
+        Vector3 p, m, b, c;
+      };
+
       Vector3
-      evaluate(const double s, const bool derivative) const
+      point(const double s) const
+      {
+        const Piece at = piece(s);
+        return at.p + at.x * at.h * (at.m + at.x * (at.b + at.x * at.c));
+      }
+
+      /** By s. */
+      Vector3
+      derivative(const double s) const
+      {
+        const Piece at = piece(s);
+        return knots.back() * (at.m + at.x * (2 * at.b + 3 * at.x * at.c));
+      }
+
+      Piece
+      piece(const double s) const
       {
         const double t = s * knots.back();
         const auto   next =
@@ -53,11 +74,12 @@ namespace fiberloom
         const std::size_t k = next - knots.begin() - 1;
         const double      h = knots[k + 1] - knots[k], x = (t - knots[k]) / h;
         const Vector3     d = (points[k + 1] - points[k]) / h;
-        const Vector3     b = 3 * d - 2 * slopes[k] - slopes[k + 1],
-                      c     = slopes[k] + slopes[k + 1] - 2 * d;
-        if (derivative)
-          return knots.back() * (slopes[k] + x * (2 * b + 3 * x * c));
-        return points[k] + x * h * (slopes[k] + x * (b + x * c));
+        return {h,
+                x,
+                points[k],
+                slopes[k],
+                3 * d - 2 * slopes[k] - slopes[k + 1],
+                slopes[k] + slopes[k + 1] - 2 * d};
       }
     };
 
@@ -212,8 +234,8 @@ namespace fiberloom
       spline->knots.push_back(spline->knots.back() +
                               (points[i] - points[i - 1]).norm());
     find_slopes(*spline);
-    return {[spline](const double s) { return spline->evaluate(s, false); },
-            [spline](const double s) { return spline->evaluate(s, true); },
+    return {[spline](const double s) { return spline->point(s); },
+            [spline](const double s) { return spline->derivative(s); },
             static_cast<unsigned int>(8 * points.size())};
   }
 

@@ -390,13 +390,13 @@ namespace fiberloom
   read_array(const VtkArray    &array,
              const VtkEncoding &encoding,
              const std::size_t  n,
-             const bool         whole)
+             const Numbers      allowed)
   {
     const std::size_t width = width_of(array.type);
-    if (width == 0 || (whole && is_float(array.type)))
+    if (width == 0 || (allowed == Numbers::whole && is_float(array.type)))
       fail(array,
-           "is of type " + array.type +
-             "; allowed: " + (whole ? "whole numbers" : "numbers"));
+           "is of type " + array.type + "; allowed: " +
+             (allowed == Numbers::whole ? "whole numbers" : "numbers"));
     if (array.format == "ascii")
       return read_text(array, n);
     if (array.format != "binary" && array.format != "appended")

@@ -218,7 +218,8 @@ namespace fiberloom
         if (found == nullptr)
           throw InputError("has no array " + name + " of cells");
         std::vector<std::size_t> numbers;
-        for (const double number : read_array(*found, encoding, n, true))
+        for (const double number :
+             read_array(*found, encoding, n, Numbers::whole))
           {
             if (!(number >= 0 && number <= most) ||
                 number != static_cast<double>(static_cast<std::size_t>(number)))
@@ -273,8 +274,9 @@ namespace fiberloom
         if (found.size() != 1 || found[0].n_components != "3")
           throw InputError("has no points of three coordinates; allowed: one "
                            "array of them");
-        const auto x = read_array(found[0], encoding, 3 * n_points, false);
-        first_fiber  = file.fibers.size();
+        const auto x =
+          read_array(found[0], encoding, 3 * n_points, Numbers::any);
+        first_fiber = file.fibers.size();
         for (std::size_t c = 0; c < n_cells; ++c)
           {
             FiberPoints fiber;
@@ -317,7 +319,7 @@ namespace fiberloom
                           const VtkArray   &array,
                           const double      factor)
       {
-        const auto values = read_array(array, encoding, n_cells, false);
+        const auto values = read_array(array, encoding, n_cells, Numbers::any);
         for (std::size_t c = 0; c < n_cells; ++c)
           file.fibers[first_fiber + c].values[v] = factor * values[c];
       }
@@ -327,7 +329,7 @@ namespace fiberloom
                            const VtkArray   &array,
                            const double      factor)
       {
-        const auto values = read_array(array, encoding, n_points, false);
+        const auto values = read_array(array, encoding, n_points, Numbers::any);
         for (std::size_t c = 0; c < n_cells; ++c)
           {
             const double value = values[connectivity[begin_of(c)]];

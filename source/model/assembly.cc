@@ -33,17 +33,15 @@ namespace fiberloom
 
 
   void
-  Assembly::begin(const State    &state,
-                  const bool      with_tangent,
-                  const Curvature curvature)
+  Assembly::begin(const State &state, const Curvature curvature)
   {
-    this->state         = &state;
-    adds_tangent        = with_tangent;
-    curvature_of_energy = curvature;
-    largest             = 0;
+    this->state  = &state;
+    adds_tangent = curvature != Curvature::none;
+    largest      = 0;
     std::fill(sum.begin(), sum.end(), 0.);
-    if (with_tangent)
+    if (adds_tangent)
       {
+        curvature_of_energy = curvature;
         tangent->set_zero();
         tangent->remove_outer_products();
       }

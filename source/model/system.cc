@@ -204,9 +204,9 @@ namespace fiberloom
   System::assemble_all(const State                 &state,
                        const Targets               &targets,
                        std::vector<ContactElement> &contacts,
-                       const bool                   with_tangent)
+                       const Curvature              curvature)
   {
-    sum.begin(state, with_tangent, curvature);
+    sum.begin(state, curvature);
     for (const auto &term : terms)
       term->add(state, sum);
     contact_term.add(state, contacts, sum);
@@ -340,7 +340,7 @@ namespace fiberloom
                    const Targets               &targets,
                    std::vector<ContactElement> &contacts)
   {
-    assemble_all(state, targets, contacts, true);
+    assemble_all(state, targets, contacts, curvature);
     for (unsigned int i = 0; i < rhs.size(); ++i)
       rhs[i] = -sum.residual()[i];
     pending = movement.prescribed_increments(state, targets);
@@ -354,6 +354,6 @@ namespace fiberloom
                             const Targets               &targets,
                             std::vector<ContactElement> &contacts)
   {
-    assemble_all(state, targets, contacts, false);
+    assemble_all(state, targets, contacts, Curvature::none);
   }
 } // namespace fiberloom

@@ -340,7 +340,9 @@ namespace fiberloom
   {
     collectively(comm, [&]() {
       if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
-        write_file(file, encode_checkpoint(checkpoint, model), true);
+        write_file(file,
+                   encode_checkpoint(checkpoint, model),
+                   Durability::on_disk);
     });
   }
 

@@ -36,17 +36,17 @@ namespace fiberloom
   void
   write_file(const std::string &file,
              const std::string &content,
-             const bool         durable)
+             const Durability   durability)
   {
     const std::string aside = file + ".tmp";
     try
       {
         FileDescriptor output = FileDescriptor::create(aside);
         output.write(content);
-        if (durable)
+        if (durability == Durability::on_disk)
           output.synchronise();
         output.close();
-        rename_file(aside, file, durable);
+        rename_file(aside, file, durability);
       }
     catch (...)
       {
@@ -60,11 +60,11 @@ namespace fiberloom
   void
   rename_file(const std::string &file,
               const std::string &to,
-              const bool         durable)
+              const Durability   durability)
   {
     if (std::rename(file.c_str(), to.c_str()) != 0)
       throw StageFailure("cannot write " + to + ": " + std::strerror(errno));
-    if (durable)
+    if (durability == Durability::on_disk)
       synchronise_directory_of(to);
   }
 

@@ -163,7 +163,7 @@ namespace fiberloom
                  "# Values in force of run " + identity.id + "\n" +
                    identity.asked);
       for (const IncrementTable *table : tables())
-        write_file(path(table->file()), table->str(), true);
+        write_file(path(table->file()), table->str(), Durability::on_disk);
     });
     write_summary(converged);
   }
@@ -177,7 +177,9 @@ namespace fiberloom
     if (!std::filesystem::exists(
           std::filesystem::symlink_status(path("checkpoint"), ignored)))
       return;
-    rename_file(path("checkpoint"), path("checkpoint.before"), true);
+    rename_file(path("checkpoint"),
+                path("checkpoint.before"),
+                Durability::on_disk);
     log.write("the checkpoint of the run before is kept as " +
               path("checkpoint.before"));
   }
@@ -286,7 +288,7 @@ namespace fiberloom
         if (!is_first_rank())
           return;
         if (fibers.pattern)
-          write_file(path(fabric.file()), fabric.str(), true);
+          write_file(path(fabric.file()), fabric.str(), Durability::on_disk);
         write_exports(parameters, fibers, mesh, state.q);
       });
     write_summary(true);
@@ -381,7 +383,9 @@ namespace fiberloom
     summary.peak_memory_bytes = peak_memory_bytes(comm);
     collectively(comm, [&]() {
       if (is_first_rank())
-        write_file(path("summary.json"), summary_json(summary), true);
+        write_file(path("summary.json"),
+                   summary_json(summary),
+                   Durability::on_disk);
     });
   }
 
@@ -557,9 +561,12 @@ namespace fiberloom
         return;
       curve.append(place_of(report), report.curve);
       reactions.append(report);
-      const bool durable = is_due(parameters.output.checkpoint_every, report);
+      const auto durability =
+        is_due(parameters.output.checkpoint_every, report) ?
+          Durability::on_disk :
+          Durability::none;
       for (const IncrementTable *table : tables())
-        write_file(path(table->file()), table->str(), durable);
+        write_file(path(table->file()), table->str(), durability);
     });
   }
 
@@ -572,7 +579,9 @@ namespace fiberloom
       return;
     collectively(comm, [&]() {
       if (is_first_rank())
-        write_file(path("breaks.csv"), breaks_csv(mesh, history), true);
+        write_file(path("breaks.csv"),
+                   breaks_csv(mesh, history),
+                   Durability::on_disk);
     });
   }
 
@@ -657,11 +666,11 @@ namespace fiberloom
         return;
       write_file(path("trajectories.csv"),
                  trajectories_csv(fibers, mesh, report.state.q),
-                 true);
+                 Durability::on_disk);
       if (!report.statistics.membrane_stiffness.empty())
         write_file(path("stiffness.csv"),
                    stiffness_csv(report.statistics.membrane_stiffness),
-                   true);
+                   Durability::on_disk);
       if (report.state.stage + 1 == parameters.stages.size())
         write_exports(parameters, fibers, mesh, report.state.q);
     });

@@ -40,16 +40,22 @@ namespace fiberloom
              const std::string &name,
              const std::size_t  most);
 
+  /** What an array may hold. */
+  enum class Numbers
+  {
+    any,
+    whole
+  };
+
   /**
-   * The @p n numbers of @p array , which has to have just as many; whole ones
-   * if @p whole . Nothing is allocated by sizes that stand in the file. Throws
-   * InputError.
+   * The @p n numbers of @p array , which has to have just as many. Nothing is
+   * allocated by sizes that stand in the file. Throws InputError.
    */
   std::vector<double>
   read_array(const VtkArray    &array,
              const VtkEncoding &encoding,
              const std::size_t  n,
-             const bool         whole);
+             const Numbers      allowed);
 } // namespace fiberloom
 
 #endif

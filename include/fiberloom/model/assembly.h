@@ -49,13 +49,11 @@ namespace fiberloom
       return taken.empty() || taken[block];
     }
 
-    /** From zero, with the tangent if that is to be added as well, at @p state
-     * , which has to stay until all is added. @p curvature : of fibers, and of
-     * contacts whose points follow them. */
+    /** From zero, at @p state , which has to stay until all is added. @p
+     * curvature : of the tangent of fibers, and of contacts whose points follow
+     * them; none: no tangent. */
     void
-    begin(const State    &state,
-          const bool      with_tangent,
-          const Curvature curvature);
+    begin(const State &state, const Curvature curvature);
 
     /** To what is there, the tangent included; @p state as in begin(). */
     void

@@ -208,7 +208,7 @@ namespace fiberloom
     assemble_all(const State                 &state,
                  const Targets               &targets,
                  std::vector<ContactElement> &contacts,
-                 const bool                   with_tangent);
+                 const Curvature              curvature);
 
     /** Of all but contacts, by owned rows. */
     std::vector<std::vector<unsigned int>>

@@ -11,26 +11,32 @@
 
 namespace fiberloom
 {
+  /** What a file waits for before it takes the place of another. */
+  enum class Durability
+  {
+    none,
+    on_disk
+  };
+
   /**
    * Writes @p content beside @p file and renames it, so that a reader finds
    * either the old file or the whole new one, and in place of a link or a pipe
-   * of this name. With @p durable it waits for the disk before it renames.
-   * Throws StageFailure with the system's reason and leaves the old file as it
-   * was.
+   * of this name. Throws StageFailure with the system's reason and leaves the
+   * old file as it was.
    */
   void
   write_file(const std::string &file,
              const std::string &content,
-             const bool         durable = false);
+             const Durability   durability = Durability::none);
 
   /**
-   * Gives @p file the name @p to , in place of what had it, and waits for the
-   * disk if @p durable . Throws StageFailure.
+   * Gives @p file the name @p to , in place of what had it. Throws
+   * StageFailure.
    */
   void
   rename_file(const std::string &file,
               const std::string &to,
-              const bool         durable = false);
+              const Durability   durability = Durability::none);
 
   /** Throws InputError when @p file cannot be read. */
   std::string
