@@ -4,6 +4,8 @@
 #include <fiberloom/base/rounding.h>
 #include <fiberloom/base/scoped_timer.h>
 
+#include <fiberloom/contact/contact_potential.h>
+
 #include <fiberloom/solvers/contact_prediction.h>
 #include <fiberloom/solvers/newton.h>
 
