@@ -191,6 +191,11 @@ namespace fiberloom
     bool
     predict(const State &state, const Problem &problem, Step &step);
 
+    /** Stiffens the matrix against fibers that @p step moves too far, by their
+     * bounds or else by Levenberg's diagonal, which the next solution adds. */
+    void
+    hold(const Step &step);
+
     /** By the tangent as it is, or by one that is nearly definite. */
     void
     solve_first(const State &state, const Problem &problem, Step &step);
