@@ -120,6 +120,12 @@ def main():
                   "Matrix/Thickness=0.2", restart=woven)
     check_refusal("a mesh too coarse", ["too coarse", "Cells along x"], *MATRIX, "Stages=coat", "Matrix/Cells along x=1",
                   "Matrix/Cells along y=1", "Matrix/Overlap=0.002", restart=woven)
+    done = run(SMALL_WEAVE, "too_coarse", *MATRIX, "Stages=weave, coat", "Matrix/Cells along x=1",
+               "Matrix/Cells along y=1", "Matrix/Overlap=0.002", CURVE_ONLY)
+    check(f"a mesh too coarse for the woven fabric: status {done.returncode} {done.stderr}",
+          done.returncode == 2 and "Cells along x" in done.stderr)
+    check_run("  a finer one from there", "finer", *MATRIX, CURVE_ONLY, "Stages=coat",
+              restart=os.path.join("too_coarse", "checkpoint"))
     patch = os.path.join(SOURCE, "prm", "verification", "d1_patch.prm")
     check_refusal("no fiber in reach", ["no fiber"], "Matrix/Layers=upper", "Matrix/Size along y=0.01", scene=patch)
     check_refusal("junctions without number, before weaving", ["Matrix/Junction spacing", "larger"], *MATRIX,

@@ -103,6 +103,7 @@ def main():
 
     check_refused("1, 1", "apart")
     check_refused("0", "apart")
+    check_refused("0.0005, 1", "apart")
     check_refused("1, 2", "allowed")
     finish()
 

@@ -8,7 +8,7 @@ import csv
 import json
 import os
 
-from program_runs import SMALL_WEAVE, check, finish, run
+from program_runs import SMALL_WEAVE, check, curve, finish, run
 
 FILES = ["fibers.vtp", "paths.csv", "surface.stl", "surface.vtp", "texgen.xml", "voxels.inp", "voxels.vti"]
 EXPORT = "Output/Export=surface, voxels, abaqus, paths, texgen, fibers"
@@ -72,6 +72,18 @@ with open("read/fabric.csv") as rows:
 check("at rest it is as thick and as heavy",
       abs(float(relaxed["thickness[mm]"]) / measures["thickness[mm]"] - 1) < .01 and
       abs(float(relaxed["areal_weight[kg/m2]"]) / measures["areal_weight[kg/m2]"] - 1) < 1e-3)
+
+with open("woven/export/paths.csv") as paths, open("moved.csv", "w", newline="") as moved:
+    rows = csv.DictReader(line for line in paths if line[0] != "#")
+    table = csv.DictWriter(moved, rows.fieldnames)
+    table.writeheader()
+    table.writerows({**row, "x[mm]": float(row["x[mm]"]) + .3} for row in rows)
+SHEAR = ["Stages=relax, shear", "Shear/Largest angle=.02", "Shear/Largest step=.02"]
+check("and sheared, here and elsewhere",
+      run("paths.prm", "here", *SHEAR).returncode == 0 and
+      run("paths.prm", "elsewhere", *SHEAR, "Fibers/File=moved.csv").returncode == 0)
+here, elsewhere = (float(curve(place)[-1]["shear_force[N]"]) for place in ("here", "elsewhere"))
+check(f"by the same force, {here} and {elsewhere}", here > 0 and abs(elsewhere / here - 1) < 1e-4)
 
 for setting, words in (("Output/Export=surface, stl", "is not allowed; allowed: list with commas of: surface, voxels"),
                        ("Output/Voxel size=1e-5", "voxels; allowed: at least some")):

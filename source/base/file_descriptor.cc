@@ -68,7 +68,8 @@ namespace fiberloom
   void
   FileDescriptor::synchronise()
   {
-    if (::fsync(descriptor) != 0)
+    // Some network file systems cannot do so for directories.
+    if (::fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP)
       fail();
   }
 

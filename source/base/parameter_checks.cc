@@ -93,11 +93,12 @@ namespace fiberloom
                 std::to_string(TowParameters::most_elements) +
                 " elements; allowed: a smaller overhang, or Elements per "
                 "fiber");
-            nodes += double(tows.tows) * tows.fibers *
+            nodes += double(parameters.fabric.plies) * tows.tows * tows.fibers *
                      (2 * tows.elements_per_fiber + 1);
             check_number_of_nodes(nodes,
                                   parameters.where(section + "Tows") +
-                                    ", Fibers per tow and Elements per fiber");
+                                    ", Fibers per tow, Elements per fiber and "
+                                    "Plies");
           }
       if (parameters.has_matrix())
         {

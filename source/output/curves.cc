@@ -4,6 +4,7 @@
 #include <fiberloom/output/curves.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 
 namespace fiberloom
@@ -73,7 +74,7 @@ namespace fiberloom
     for (const Row &row : rows())
       if (row.stage_index == stage_index)
         result.push_back(c < row.cells.size() && !row.cells[c].empty() ?
-                           std::stod(row.cells[c]) :
+                           std::strtod(row.cells[c].c_str(), nullptr) :
                            std::numeric_limits<double>::quiet_NaN());
     return result;
   }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 
@@ -318,7 +319,8 @@ namespace fiberloom
     if (!rows().empty())
       for (std::size_t c = 0; c < rows().back().cells.size(); ++c)
         if (const std::string &cell = rows().back().cells[c]; !cell.empty())
-          measures.emplace_back(columns()[c], std::stod(cell));
+          measures.emplace_back(columns()[c],
+                                std::strtod(cell.c_str(), nullptr));
     return measures;
   }
 } // namespace fiberloom

@@ -174,7 +174,7 @@ namespace fiberloom
     double
     largest(const Eigen::ArrayXd &change)
     {
-      return change.abs().maxCoeff();
+      return change.abs().maxCoeff<Eigen::PropagateNaN>();
     }
 
 
@@ -503,6 +503,8 @@ namespace fiberloom
         of_tolerance * change(unrefined.before, now, scale);
       const Eigen::ArrayXd together =
         (mesh + stations + penetration + matrix + tolerance).abs();
+      if (!together.allFinite())
+        return {};
       const Eigen::ArrayXd alone =
         mesh.abs().max(stations.abs()).max(penetration.abs()).max(matrix.abs());
       const Eigen::ArrayXd total = together.max(least_part * alone);

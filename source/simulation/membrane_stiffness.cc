@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
 #include <fiberloom/stages/cell.h>
@@ -38,13 +39,18 @@ namespace fiberloom
           std::vector<double> load(system.right_hand_side().size(), 0.), answer;
           if (local >= 0)
             load[layout.local_first_dof(local) + k] = 1;
-          add(statistics,
-              solver.solve({system.matrix(), load, tolerance},
-                           state.q,
-                           {0,
-                            least_shift * system.stiffness_scale(),
-                            LinearSolver::Indefinite::accepted},
-                           answer));
+          const LinearSolver::Outcome outcome =
+            solver.solve({system.matrix(), load, tolerance},
+                         state.q,
+                         {0,
+                          least_shift * system.stiffness_scale(),
+                          LinearSolver::Indefinite::accepted},
+                         answer);
+          add(statistics, outcome);
+          if (!outcome.converged)
+            throw StageFailure("stage stiffness: the linear solver does not "
+                               "reach a residual of " +
+                               exact_text(tolerance));
           compliance.col(k) =
             system.gather(answer).segment<3>(layout.first_dof(block));
         }

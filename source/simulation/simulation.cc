@@ -391,6 +391,7 @@ namespace fiberloom
     log_timings(writer.stages());
     if (parameters.solver.benchmark)
       log_benchmark(writer.stages());
+    std::error_code unreadable;
     if (status == 0)
       log.write(
         "results in " + parameters.output_directory + ": " +
@@ -398,7 +399,8 @@ namespace fiberloom
            "summary.json" :
            "report.html for a first look, " +
              std::string(std::filesystem::exists(parameters.output_directory +
-                                                 "/fibers.pvd") ?
+                                                   "/fibers.pvd",
+                                                 unreadable) ?
                            ".pvd files for ParaView, " :
                            "") +
              "loading_curve.csv, summary.json"));
@@ -439,51 +441,27 @@ namespace fiberloom
   int
   Simulation::run_stages(State &state, OutputWriter &writer, StopRequest &stop)
   {
+    const unsigned int first = state.stage;
     while (state.stage < parameters.stages.size())
       {
-        const std::string &name      = parameters.stages[state.stage];
-        const auto         composite = make_composite(name, state);
-        const Scene        scene{parameters, fibers, mesh, composite.get()};
-        const auto         stage      = create_stage(name, scene);
-        StageStatistics    statistics = statistics_so_far(state);
-
         const unsigned int number        = state.stage;
+        StageStatistics    statistics    = statistics_so_far(state);
         const double       output_before = writer.seconds();
         const auto         record        = [&]() {
           statistics.seconds.output += writer.seconds() - output_before;
           writer.record(number, statistics);
         };
+        const auto fail = [&](const std::string &why) {
+          log.write(why);
+          record();
+          writer.save(state);
+          writer.write_summary(false);
+          writer.write_report(command_line.file);
+        };
         State before_last;
         try
           {
-            writer.begin_stage(name, state, composite.get());
-            {
-              StageRun run(
-                scene,
-                *stage,
-                {generator, log, comm, [&stop]() { return stop.requested(); }},
-                statistics,
-                state);
-              StageRun::Estimate estimated;
-              if (parameters.solver.error_estimate)
-                estimated = [&](const State &before, const State &reached) {
-                  estimate(scene, before, reached, statistics, stop);
-                };
-              run.run(
-                state,
-                std::ref(writer),
-                estimated,
-                [&](const State &begun) { writer.keep(begun, statistics); },
-                ahead(scene, state));
-              seconds_of_increment = run.seconds_of_increment();
-              before_last          = run.before_last();
-            }
-            // A way that turns has been farther from its start before.
-            const bool farthest =
-              !stage->way() || stage->way()->farthest() == 1;
-            if (parameters.solver.error_estimate && farthest &&
-                before_last.q.size() > 0)
-              estimate(scene, before_last, state, statistics, stop);
+            run_stage(state, writer, stop, statistics, before_last);
           }
         catch (const StopRequested &)
           {
@@ -495,17 +473,21 @@ namespace fiberloom
                 writer.save(state);
             });
           }
+        catch (const InputError &error)
+          {
+            if (number == first)
+              throw;
+            // Of the stages before there are results.
+            fail(error.what());
+            throw StageFailure(error.what());
+          }
         catch (const StageFailure &failure)
           {
-            log.write(failure.what());
-            record();
-            writer.save(state);
-            writer.write_summary(false);
-            writer.write_report(command_line.file);
+            fail(failure.what());
             throw;
           }
 
-        state.stages_done.push_back(name);
+        state.stages_done.push_back(parameters.stages[number]);
         state.begin_stage(number + 1);
         record();
         writer.end_stage(state);
@@ -513,6 +495,46 @@ namespace fiberloom
           return end_on_request(writer, stop, [&]() { writer.save(state); });
       }
     return 0;
+  }
+
+
+
+  void
+  Simulation::run_stage(State           &state,
+                        OutputWriter    &writer,
+                        StopRequest     &stop,
+                        StageStatistics &statistics,
+                        State           &before_last)
+  {
+    const std::string &name      = parameters.stages[state.stage];
+    const auto         composite = make_composite(name, state);
+    const Scene        scene{parameters, fibers, mesh, composite.get()};
+    const auto         stage = create_stage(name, scene);
+    const RunContext   context{generator, log, comm, [&stop]() {
+                               return stop.requested();
+                             }};
+    writer.begin_stage(name, state, composite.get());
+    {
+      StageRun           run(scene, *stage, context, statistics, state);
+      StageRun::Estimate estimated;
+      if (parameters.solver.error_estimate)
+        estimated = [&](const State &before, const State &reached) {
+          estimate(scene, before, reached, statistics, stop);
+        };
+      run.run(
+        state,
+        std::ref(writer),
+        estimated,
+        [&](const State &begun) { writer.keep(begun, statistics); },
+        ahead(scene, state));
+      seconds_of_increment = run.seconds_of_increment();
+      before_last          = run.before_last();
+    }
+    // A way that turns has been farther from its start before.
+    const bool farthest = !stage->way() || stage->way()->farthest() == 1;
+    if (parameters.solver.error_estimate && farthest &&
+        before_last.q.size() > 0)
+      estimate(scene, before_last, state, statistics, stop);
   }
 
 

@@ -138,16 +138,17 @@ namespace fiberloom
         // Interrupted here, the stage has to begin anew: keep the state apart.
         State      first   = begun(state);
         const bool arrived = take_fast_path(first);
-        state              = std::move(first);
+        std::swap(state, first);
         if (arrived)
-          show(state, observer);
+          show_or_take_back(state, first, observer);
         else if (stage.is_test())
           show_start(state, observer);
       }
     while (state.load < 1)
       {
+        const State before = state;
         take_increment(state, estimate);
-        show(state, observer);
+        show_or_take_back(state, before, observer);
       }
     statistics.converged = true;
   }
@@ -483,6 +484,25 @@ namespace fiberloom
            system.stored_energy(seen, equilibrium.contacts())}};
       }
     report(seen, observer);
+  }
+
+
+
+  void
+  StageRun::show_or_take_back(State                   &state,
+                              const State             &before,
+                              const IncrementObserver &observer)
+  {
+    try
+      {
+        show(state, observer);
+      }
+    catch (const StageFailure &)
+      {
+        // A run that goes on from there is to show it.
+        state = before;
+        throw;
+      }
   }
 
 

@@ -234,27 +234,12 @@ namespace fiberloom
       return sum(comm, blocks) <= (1 + largest_surplus) * sum(comm, needed);
     }
 
-    /**
-     * Position of each dof in the pivot order (from one), on rank 0; METIS's
-     * nested dissection on the graph of blocks, which is 80 times smaller
-     * than that of dofs.
-     */
+    /** Position of each dof in the pivot order (from one), by METIS's nested
+     * dissection of all blocks; @p couples are rows and columns of one half.
+     * Empty where METIS fails. */
     std::vector<int>
-    pivot_positions(const BlockLayout &layout, const Couplings &blocks)
+    dissected(const BlockLayout &layout, const std::vector<idx_t> &couples)
     {
-      std::vector<idx_t> couples; // of rows and columns
-      for (unsigned int row = 0; row < blocks.size(); ++row)
-        for (const unsigned int column : blocks[row])
-          if (column != layout.owned_blocks()[row])
-            {
-              couples.push_back(layout.owned_blocks()[row]);
-              couples.push_back(column);
-            }
-      // deal.II's gather() would compress them.
-      couples = gathered(layout.communicator(), couples);
-      if (dealii::Utilities::MPI::this_mpi_process(layout.communicator()) != 0)
-        return {};
-
       idx_t              n = layout.n_blocks();
       std::vector<idx_t> begin(n + 1, 0), weights(n);
       for (idx_t block = 0; block < n; ++block)
@@ -282,13 +267,43 @@ namespace fiberloom
                        options,
                        order.data(),
                        position.data()) != METIS_OK)
-        throw StageFailure("METIS could not order the system of equations");
+        return {};
 
       std::vector<int> positions(layout.n_dofs());
       int              next = 1;
       for (const idx_t block : order)
         for (unsigned int i = 0; i < layout.size(block); ++i)
           positions[layout.first_dof(block) + i] = next++;
+      return positions;
+    }
+
+
+
+    /**
+     * Position of each dof in the pivot order (from one), on rank 0, from the
+     * graph of blocks, which is 80 times smaller than that of dofs. Throws
+     * StageFailure, on all ranks, if there is no order.
+     */
+    std::vector<int>
+    pivot_positions(const BlockLayout &layout, const Couplings &blocks)
+    {
+      using namespace dealii::Utilities::MPI;
+      std::vector<idx_t> couples; // of rows and columns
+      for (unsigned int row = 0; row < blocks.size(); ++row)
+        for (const unsigned int column : blocks[row])
+          if (column != layout.owned_blocks()[row])
+            {
+              couples.push_back(layout.owned_blocks()[row]);
+              couples.push_back(column);
+            }
+      const MPI_Comm comm = layout.communicator();
+      // deal.II's gather() would compress them.
+      couples = gathered(comm, couples);
+      std::vector<int> positions;
+      if (this_mpi_process(comm) == 0)
+        positions = dissected(layout, couples);
+      if (!broadcast(comm, !positions.empty(), 0))
+        throw StageFailure("METIS could not order the system of equations");
       return positions;
     }
   } // namespace

@@ -448,7 +448,8 @@ namespace fiberloom
         shift_more(task.matrix, attempt, diagonal.shift_unit, outcome);
       }
     use_factor_of(task.matrix);
-    return task.iterate(*last, largest_cycles) || !in_single;
+    outcome.converged = task.iterate(*last, largest_cycles);
+    return outcome.converged || !in_single;
   }
 
 

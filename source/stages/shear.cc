@@ -8,6 +8,7 @@
 #include <fiberloom/stages/shear.h>
 
 #include <cmath>
+#include <limits>
 
 namespace fiberloom
 {
@@ -130,9 +131,10 @@ namespace fiberloom
     if (scene.fibers.cell)
       return cell_curve(state, reactions);
     // Of the bars of the frame, by the power of all bodies.
-    const double c = std::cos(.5 * angle_at(state.load)),
-                 s = std::sin(.5 * angle_at(state.load));
-    double moment = 0, length = 0;
+    const double c            = std::cos(.5 * angle_at(state.load)),
+                 s            = std::sin(.5 * angle_at(state.load));
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double           moment = 0, left = infinity, right = -infinity;
     for (unsigned int b = 0; b < reactions.size(); ++b)
       if (border(b) < 4)
         {
@@ -140,9 +142,10 @@ namespace fiberloom
           moment += .5 * (reactions[b][0] * (c * from.y() - s * from.x()) +
                           reactions[b][1] * (c * from.x() - s * from.y())) +
                     half_turn(runs_along_x(b)) * reactions[b][5];
-          length = std::max(length, 2 * std::abs(from.x()));
+          left  = std::min(left, from.x());
+          right = std::max(right, from.x());
         }
-    return curve_row(angle_at(state.load), moment / length, moment);
+    return curve_row(angle_at(state.load), moment / (right - left), moment);
   }
 
 

@@ -38,7 +38,7 @@ namespace fiberloom
       {
         const double to = turning_points[i];
         if (std::abs(to - from) < shortest &&
-            !(i == 0 && turning_points.size() > 1))
+            !(i == 0 && to == 0 && turning_points.size() > 1))
           throw InputError(
             where + " = " + exact_text(turning_points) + ": from " +
             exact_text(from) + " to " + exact_text(to) +

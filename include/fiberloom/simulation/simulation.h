@@ -107,8 +107,20 @@ namespace fiberloom
     StageStatistics
     statistics_so_far(const State &state) const;
 
+    /** From that of @p state on; the exit status. Once stages have been run,
+     * input that the next one does not allow is a StageFailure, and what has
+     * been reached is kept. */
     int
     run_stages(State &state, OutputWriter &writer, StopRequest &stop);
+
+    /** With its estimate; @p before_last is the state before the last
+     * increment, once all are done. */
+    void
+    run_stage(State           &state,
+              OutputWriter    &writer,
+              StopRequest     &stop,
+              StageStatistics &statistics,
+              State           &before_last);
 
     /** Checkpoint, summary and a line in the log; the exit status. */
     int

@@ -143,6 +143,12 @@ namespace fiberloom
     void
     show(const State &state, const IncrementObserver &observer);
 
+    /** @p state as it was @p before if it cannot be shown. */
+    void
+    show_or_take_back(State                   &state,
+                      const State             &before,
+                      const IncrementObserver &observer);
+
     /** Hands @p state and its row of the curve to @p observer . */
     void
     report(const State &state, const IncrementObserver &observer) const;

@@ -59,9 +59,10 @@ namespace fiberloom
     {
       unsigned int iterations      = 0;
       unsigned int factorizations  = 0;
-      double       shift           = 0;
-      int          negative_pivots = 0; // without shift; -1: unknown
-      double       analysis        = 0; // or coarsening [s], as the next two
+      double       shift           = 0;    // [N/mm]
+      int          negative_pivots = 0;    // without shift; -1: unknown
+      bool         converged       = true; // false: the best there is
+      double       analysis        = 0;    // or coarsening [s], as the next two
       double       factorization   = 0;
       double       krylov          = 0;
     };
