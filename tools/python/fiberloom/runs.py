@@ -14,6 +14,19 @@ from .results import Results
 # What the program says by its exit status.
 MEANING = {1: "bad input", 2: "a stage did not come to rest", 3: "stopped on request"}
 
+# As ./loom sets them; what the user has set counts more.
+ENVIRONMENT = {
+    # Ranks and runs beside each other share the cores, not each of them all.
+    "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    # Two runs of a sweep would bind their ranks to the same cores.
+    "OMPI_MCA_hwloc_base_binding_policy": "none",
+    "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    # Containers may not permit it.
+    "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
+    "HWLOC_HIDE_ERRORS": "2",
+}
+
 
 class RunFailed(RuntimeError):
     """A run that did not reach its end.
@@ -23,7 +36,9 @@ class RunFailed(RuntimeError):
     """
 
     def __init__(self, status, message, results):
-        super().__init__(f"{MEANING.get(status, f'status {status}')}: {message}")
+        # Others, such as mpirun, end with the same numbers for reasons of their own.
+        meaning = MEANING.get(status) if message.startswith("fiberloom: ") else None
+        super().__init__(f"{meaning or f'status {status}'}: {message}")
         self.status, self.message, self.results = status, message, results
 
 
@@ -55,8 +70,7 @@ def run(scene, settings=None, *, output=None, ranks=1, restart=None):
         command += ["--output-directory", str(output)]
     if restart is not None:
         command += ["--restart", str(restart)]
-    # Ranks and runs beside each other share the cores, not each of them all.
-    environment = {"OPENBLAS_NUM_THREADS": "1", **os.environ}
+    environment = {**ENVIRONMENT, **os.environ}
     done = subprocess.run(command, capture_output=True, text=True, env=environment)
     directory = Path(output) if output is not None else output_directory(command, environment)
     # Bad input leaves the directory as it was, with what another run may have written there.

@@ -2,6 +2,8 @@
 # Copyright (C) 2026 by the fiberloom authors
 """The module against the program: run, failure, sweep from a checkpoint, tables and curves."""
 
+import os
+
 import pytest
 
 import fiberloom
@@ -29,6 +31,27 @@ def test_bad_input_is_told(woven):
         fiberloom.run(SCENE, {"Fabric/Pattern": "plaid"}, output=woven.directory)
     assert failure.value.status == 1 and "plaid" in failure.value.message
     assert failure.value.results is None
+
+
+def test_ranks_give_the_same_curve(woven, tmp_path, monkeypatch):
+    for name in [name for name in os.environ if name.startswith("OMPI_")]:
+        monkeypatch.delenv(name)  # the module has to set what is needed
+    one, two = (fiberloom.run(SCENE, {**SMALL, "Stages": "weave, relax"}, output=tmp_path / str(ranks), ranks=ranks) for ranks in (1, 2))
+    assert (one.summary["ranks"], two.summary["ranks"]) == (1, 2)
+    assert two.fabric["thickness[mm]"] == pytest.approx(one.fabric["thickness[mm]"], rel=1e-3)
+
+
+def test_ranks_are_told_of_bad_input(tmp_path):
+    with pytest.raises(fiberloom.RunFailed, match="^bad input: fiberloom: .*plaid") as failure:
+        fiberloom.run(SCENE, {"Fabric/Pattern": "plaid"}, output=tmp_path, ranks=2)
+    assert failure.value.status == 1
+
+
+def test_mpirun_that_cannot_start_is_no_bad_input(tmp_path, monkeypatch):
+    monkeypatch.setenv("OMPI_MCA_rmaps_base_oversubscribe", "0")
+    with pytest.raises(fiberloom.RunFailed, match="^status 1: ") as failure:
+        fiberloom.run(SCENE, SMALL, output=tmp_path, ranks=1000)
+    assert "slots" in failure.value.message
 
 
 def test_sweep_goes_on_from_one_weave(woven, tmp_path):
