@@ -71,11 +71,11 @@ def run(scene, settings=None, *, output=None, ranks=1, restart=None):
     if restart is not None:
         command += ["--restart", str(restart)]
     environment = {**ENVIRONMENT, **os.environ}
-    done = subprocess.run(command, capture_output=True, text=True, env=environment)
     directory = Path(output) if output is not None else output_directory(command, environment)
-    # Bad input leaves the directory as it was, with what another run may have written there.
-    written = done.returncode != 1 and directory and (directory / "summary.json").exists()
-    results = Results(directory) if written else None
+    before = stamp(directory)
+    done = subprocess.run(command, capture_output=True, text=True, env=environment)
+    # A run that ended early may have left the summary of another one there.
+    results = Results(directory) if done.returncode == 0 or stamp(directory) != before else None
     if done.returncode:
         own = [line for line in done.stderr.splitlines() if line.startswith("fiberloom: ")]  # mpirun adds lines
         raise RunFailed(done.returncode, own[0] if own else done.stderr.strip(), results)
@@ -109,6 +109,15 @@ def text(value):
     if isinstance(value, (list, tuple)):
         return ", ".join(text(item) for item in value)
     return str(value)
+
+
+def stamp(directory):
+    """Of the summary in a directory, another one whenever it is written; None where there is none."""
+    try:
+        status = (directory / "summary.json").stat()
+    except (AttributeError, OSError):
+        return None
+    return status.st_mtime_ns, status.st_ino
 
 
 def output_directory(command, environment):

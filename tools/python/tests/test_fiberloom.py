@@ -3,6 +3,7 @@
 """The module against the program: run, failure, sweep from a checkpoint, tables and curves."""
 
 import os
+import shutil
 
 import pytest
 
@@ -31,6 +32,20 @@ def test_bad_input_is_told(woven):
         fiberloom.run(SCENE, {"Fabric/Pattern": "plaid"}, output=woven.directory)
     assert failure.value.status == 1 and "plaid" in failure.value.message
     assert failure.value.results is None
+
+
+def test_results_of_another_run_are_not_taken_for_those_of_one_that_failed(woven, tmp_path, monkeypatch):
+    shutil.copy(woven.directory / "summary.json", tmp_path)
+    killed = tmp_path / "killed"
+    killed.write_text("#!/bin/sh\nkill -9 $$\n")
+    killed.chmod(0o755)
+    with monkeypatch.context() as replaced, pytest.raises(fiberloom.RunFailed) as failure:
+        replaced.setenv("FIBERLOOM", str(killed))
+        fiberloom.run(SCENE, SMALL, output=tmp_path)
+    assert (failure.value.status, failure.value.results) == (-9, None)
+    with pytest.raises(fiberloom.RunFailed) as failure:
+        fiberloom.run(SCENE, {**SMALL, "Maximal wall time": .1}, output=tmp_path)
+    assert failure.value.status == 3 and failure.value.results.summary["run"] != woven.summary["run"]
 
 
 def test_ranks_give_the_same_curve(woven, tmp_path, monkeypatch):
