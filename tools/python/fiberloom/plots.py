@@ -5,9 +5,10 @@
 from .results import Results
 
 
-def plot(runs, x, y, *, stage=None, axes=None):
-    """Draws the columns ``y`` over ``x`` of the loading curve, by default of the last stage, and returns matplotlib's axes.
+def plot(runs, x, y, *, stage=-1, axes=None):
+    """Draws the columns ``y`` over ``x`` of the loading curve, and returns matplotlib's axes.
 
+    ``stage`` is a name or a place in the list of stages, by default the last one.
     ``runs`` are Results, or a sweep, of which each run has a line with its values; a band shows the estimated error.
     """
     import matplotlib.pyplot as pyplot
@@ -16,11 +17,10 @@ def plot(runs, x, y, *, stage=None, axes=None):
     for values, results in [({}, runs)] if isinstance(runs, Results) else runs:
         if not isinstance(results, Results):
             continue
-        name = stage or results.summary["stages"][-1]["name"]
-        curve = results.curve(name)
+        curve = results.curve(stage)
         label = ", ".join(f"{entry.rpartition('/')[2]} {value}" for entry, value in values.items())
         line, = axes.plot(curve[x], curve[y], marker=".", label=label or None)
-        error = results.error(name)
+        error = results.error(stage)
         if error:
             band = error * curve[y].abs().max()
             axes.fill_between(curve[x], curve[y] - band, curve[y] + band, color=line.get_color(), alpha=.2, linewidth=0)

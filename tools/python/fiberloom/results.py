@@ -40,18 +40,35 @@ class Results:
         return pandas.json_normalize(self.summary["stages"])
 
     def curve(self, stage=None):
-        """Rows of the loading curve, of one stage or of all, without the columns that these do not have."""
+        """Rows of the loading curve, of one stage or of all, without the columns that these do not have.
+
+        ``stage`` is a name, for the last stage of that name, or a place in the summary's list.
+        """
         table = self.read("loading_curve.csv")
         if stage is not None:
-            table = table[table["stage"] == stage].reset_index(drop=True)
+            names, place = self.place(stage)
+            rows = table[table["stage"].str.replace(" (preview)", "", regex=False) == names[place]]
+            # Each stage counts its increments anew. Those before a restart may have no rows here, those after have.
+            part = (rows["increment"].diff() <= 0).cumsum()
+            table = rows[part == part.max() - names[place + 1:].count(names[place])].reset_index(drop=True)
         return table.dropna(axis="columns", how="all")
 
-    def error(self, stage):
-        """The estimated error of the loading curve of a stage, over its largest value; None where there is none."""
-        for entry in self.summary["stages"]:
-            if entry["name"] == stage:
-                return (entry.get("estimated_error") or {}).get("total")
-        return None
+    def error(self, stage=-1):
+        """The estimated error of the loading curve of a stage, over its largest value; None where there is none.
+
+        ``stage`` is as for curve.
+        """
+        _, place = self.place(stage)
+        return (self.summary["stages"][place].get("estimated_error") or {}).get("total")
+
+    def place(self, stage):
+        """Names of all stages, and the place of one of them; throws KeyError where it is not there."""
+        names = [entry["name"] for entry in self.summary["stages"]]
+        places = dict(zip(names, range(len(names)))) if isinstance(stage, str) else range(len(names))
+        try:
+            return names, places[stage]
+        except LookupError:
+            raise KeyError(f"no stage {stage}; there are: {', '.join(names)}") from None
 
     def read(self, name):
         """A CSV file of the directory, such as trajectories.csv, reactions.csv or fabric.csv."""
@@ -68,6 +85,6 @@ def table(study):
         row = dict(values, converged=isinstance(results, Results) and results.converged)
         if isinstance(results, Results):
             row.update(results.fabric)
-            row.update(results.curve(results.summary["stages"][-1]["name"]).iloc[-1])
+            row.update(results.curve(-1).iloc[-1])
         rows.append(row)
     return pandas.DataFrame(rows)

@@ -104,6 +104,8 @@ def sweep(scene, grid, *, output, settings=None, restart=None, ranks=1, jobs=Non
 
 def text(value):
     """As a parameter file has it: lists with commas, booleans in small letters."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()  # numpy's numbers, booleans and arrays
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, (list, tuple)):

@@ -8,6 +8,7 @@ import shutil
 import pytest
 
 import fiberloom
+from fiberloom.runs import text
 
 pandas = pytest.importorskip("pandas")
 
@@ -82,8 +83,39 @@ def test_sweep_goes_on_from_one_weave(woven, tmp_path):
 def test_curves_are_drawn(woven, tmp_path):
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
-    results = fiberloom.run(SCENE, SMALL, restart=woven.checkpoint, output=tmp_path)
+    results = fiberloom.run(SCENE, {**SMALL, "Solver/Error estimate": True}, restart=woven.checkpoint, output=tmp_path)
     axes = fiberloom.plot(results, "strain_warp", "force_warp[N]")
     curve = results.curve("biaxial")
     assert list(axes.lines[0].get_ydata()) == list(curve["force_warp[N]"])
-    assert (len(axes.collections) == 1) == bool(results.error("biaxial"))
+    band, = axes.collections
+    least, most = curve["force_warp[N]"].min(), curve["force_warp[N]"].max()
+    assert results.error("biaxial") > 0
+    assert band.get_paths()[0].get_extents().height == pytest.approx(most - least + 2 * results.error("biaxial") * most)
+
+
+def test_stages_of_one_name_are_told_apart(tmp_path):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    results = fiberloom.run("prm/crossed_fibers.prm", {"Stages": "load, load", "Output/Pictures": False}, output=tmp_path)
+    first, last = results.curve(0), results.curve("load")
+    assert len(first) + len(last) == len(results.curve())
+    assert [curve["load"].iloc[row] for curve in (first, last) for row in (0, -1)] == [0, 1, 0, 1]
+    errors = [entry["estimated_error"]["total"] for entry in results.summary["stages"]]
+    assert [results.error(0), results.error("load"), results.error()] == errors + errors[-1:] and errors[0] != errors[1]
+    assert len(fiberloom.plot(results, "load", "upper_force_z[N]").lines[0].get_xdata()) == len(last)
+    with pytest.raises(KeyError, match="no stage weave; there are: load, load"):
+        results.curve("weave")
+    with pytest.raises(KeyError, match="no stage 2"):
+        results.error(2)
+
+
+def test_a_preview_has_curves(tmp_path):
+    study = fiberloom.sweep(SCENE, {"Accuracy": ["preview"]}, settings={**SMALL, "Stages": "weave"}, output=tmp_path)
+    assert len(study[0][1].curve("weave")) > 0
+    assert fiberloom.table(study)["stage"].tolist() == ["weave (preview)"]
+
+
+def test_values_are_written_as_the_program_reads_them():
+    numpy = pytest.importorskip("numpy")
+    values = True, numpy.bool_(False), numpy.float64(.3), numpy.array([1, 2]), ["weave", "relax"], (numpy.bool_(True), 2)
+    assert [text(value) for value in values] == ["true", "false", "0.3", "1, 2", "weave, relax", "true, 2"]
