@@ -249,10 +249,9 @@ def study(name, run, document):
     write_block(document, "levels", markdown_table(["scene", "draft (10 %)", "standard (2 %)", "fine (0.5 %)"], rows))
 
 
-def hold_levels(names, run):
+def hold_levels(names, run, references):
     """Number of levels that miss their error."""
     missed = 0
-    references = read_references()
     for name in names:
         scene = SCENES[name]
         against = [("closed form", rows) for rows in (scene.exact, scene.held) if rows]
@@ -285,8 +284,15 @@ def main():
     os.makedirs(arguments.work, exist_ok=True)
     run = Runs(arguments.program, arguments.work, arguments.keep)
     if arguments.levels:
-        held = set(read_references()) | {name for name, scene in SCENES.items() if not scene.finest}
-        sys.exit(hold_levels([name for name in names if name in held and SCENES[name].levels is not None], run) > 0)
+        names = arguments.scenes or [name for name, scene in SCENES.items() if scene.levels is not None]
+        other = [name for name in names if name not in SCENES or SCENES[name].levels is None]
+        if other:
+            parser.error(f"no levels are held in {', '.join(other)}")
+        references = read_references()
+        missing = [name for name in names if SCENES[name].finest and not references.get(name, {}).get("rows")]
+        if missing:
+            sys.exit(f"no reference of {', '.join(missing)} in {REFERENCES}")
+        sys.exit(hold_levels(names, run, references) > 0)
     for name in names:
         print(f"== {name}", flush=True)
         if name in TABLES:
