@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the fiberloom authors
 
-"""When ./loom installs missing packages, asks, or refuses. Usage, in a directory of its own: loom_packages.py LOOM
+"""When ./loom installs missing packages, asks, or refuses, and how it counts tests. Usage, in a directory of its own:
+loom_packages.py LOOM
 
 Skipped where there are no terminals to be had, as in a chroot without /dev/pts. It gets a Debian, a user, apt, which
-writes down what it is called with, and cmake, all made of scripts.
+writes down what it is called with, cmake and ctest, all made of scripts.
 """
 
 import os
@@ -20,13 +21,14 @@ SCRIPTS = {
     "id": "echo $USER_ID",
     "sudo": 'exec "$@"',
     "apt-get": 'echo "$@" >> "$CALLS"',
-    "cmake": "exit 0",
+    "cmake": 'mkdir -p "${0%/*}/build"',
+    "ctest": 'echo "$TESTED"; ! grep -q FAILED <<< "$TESTED"',
 }
 SKIPPED = 77
 failures = 0
 
 
-def build(*arguments, user=0, installed="g++ make", answer=None):
+def build(*arguments, user=0, installed="g++ make", answer=None, tested=""):
     """Status, lines on stdout and on stderr, and what apt was told to install; `answer` is typed at a terminal."""
     with tempfile.TemporaryDirectory() as directory:
         for name, text in SCRIPTS.items():
@@ -36,7 +38,7 @@ def build(*arguments, user=0, installed="g++ make", answer=None):
         loom = shutil.copy(LOOM, directory)
         calls = os.path.join(directory, "calls")
         environment = {"PATH": directory + os.pathsep + os.environ["PATH"], "CALLS": calls, "USER_ID": str(user),
-                       "INSTALLED": installed}
+                       "INSTALLED": installed, "TESTED": tested}
         keyboard, terminal = pty.openpty()
         if answer is not None:
             os.write(keyboard, answer.encode())
@@ -69,6 +71,12 @@ def answered(answer, **options):
     return status == 0, "libdeal.ii-dev" in shown, "libdeal.ii-dev" in told
 
 
+def counted(tested):
+    """Status and last line of ./loom test, where ctest ends with these lines."""
+    status, shown, _, _ = build("test", installed="all", tested=tested)
+    return status, shown.splitlines()[-1]
+
+
 try:
     for end in pty.openpty():
         os.close(end)
@@ -88,4 +96,10 @@ for user in 0, 1000:
     check(f"user {user} at a terminal, n: told, not installed", answered("n\n", user=user) == (False, True, False))
     check(f"user {user} at a terminal, end: told, not installed", answered("\x04", user=user) == (False, True, False))
 check("at a terminal, --yes: not asked", installs("build", "--yes", answer="n\n"))
+check("all tests pass", counted("100% tests passed, 0 tests failed out of 5") == (0, "5 passed, 0 failed"))
+check("one is skipped", counted("100% tests passed, 0 tests failed out of 5\n\nThe following tests did not run:\n"
+                                "\t  2 - b (Skipped)") == (0, "4 passed, 0 failed, 1 skipped"))
+check("one is skipped, two fail", counted("60% tests passed, 2 tests failed out of 5\n\nThe following tests did not run:\n"
+                                          "\t  2 - b (Skipped)\n\nThe following tests FAILED:\n\t  3 - c (Failed)\n"
+                                          "\t  4 - d (Not Run)") == (1, "2 passed, 2 failed, 1 skipped"))
 sys.exit(failures > 0)
