@@ -41,14 +41,29 @@ class Program:
         self.work = work
         self.here = work / "here"
         self.here.mkdir()
-        self.server = subprocess.Popen([server, str(SECONDS), str(MEGABYTES)], cwd=self.here, stdin=subprocess.PIPE,
-                                       stdout=subprocess.PIPE, text=True)
+        self.command = [server, str(SECONDS), str(MEGABYTES)]
+        self.start()
+
+    def start(self):
+        self.server = subprocess.Popen(self.command, cwd=self.here, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+    def answer(self, line):
+        """How the child ended; if the server itself did, how that ended, and there is a new one."""
+        try:
+            self.server.stdin.write(line + "\n")
+            self.server.stdin.flush()
+        except BrokenPipeError:
+            pass
+        ended = self.server.stdout.readline().strip()
+        if not ended:
+            ended = f"the fork server is gone with status {self.server.wait()}"
+            self.start()
+        return ended
 
     def run(self, *arguments, allowed=("exit 0", "exit 1")):
         """(what is wrong or "", status)."""
-        self.server.stdin.write("\t".join(arguments) + "\n")
-        self.server.stdin.flush()
-        ended = self.server.stdout.readline().strip()
+        (self.work / "err").write_bytes(b"")
+        ended = self.answer("\t".join(arguments))
         error = (self.work / "err").read_bytes()
         written = list(self.here.iterdir())
         for path in written:
