@@ -83,9 +83,12 @@ check("it names scene, version, run and size",
 views, drawings = page.pictures("png"), page.pictures("svg+xml")
 check("it has the view of each stage, the last one first",
       views == [written("woven", "pictures", f"view_{stage}.png") for stage in ("biaxial", "weave", "relax")])
-check("and the slices at their ends",
-      all(drawings.count(written("woven", "slices", file)) == 1 for file in os.listdir(os.path.join("woven", "slices"))
-          if file.endswith(".svg") and not file.endswith("_0000.svg")))
+slices = [file for file in sorted(os.listdir(os.path.join("woven", "slices")))
+          if file.endswith(".svg") and not file.endswith("_0000.svg")]
+check("and the slices at their ends, along both tows",
+      [file.rpartition("_")[0] for file in slices] ==
+      [f"{tow}_{stage}" for tow in ("fill", "warp") for stage in ("biaxial", "relax", "weave")] and
+      all(drawings.count(written("woven", "slices", file)) == 1 for file in slices))
 error = summary["stages"][-1]["estimated_error"]["total"]
 curves = [drawing.decode() for drawing in drawings if b"loading curve, stage biaxial" in drawing]
 plain = written("woven", "pictures", "loading_curve_biaxial.svg").decode()
