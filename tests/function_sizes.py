@@ -13,9 +13,12 @@ import sys
 
 MOST_LINES, MOST_PARAMETERS = 80, 5
 
-DECLARATOR = re.compile(r"^\s*(?:explicit )?(?:[\w~]+::)*([A-Za-z_~]\w*)\(", re.MULTILINE)
-PARAMETER = re.compile(r"(?:const )?(?:unsigned )?[\w:]+(?:<.*>)?(?:::\w+)?[\s&*]+\w+(?: *=.*)?", re.DOTALL)
+DECLARATOR = re.compile(r"^\s*(?:explicit )?(?:[\w~]+::)*(operator\(\)|[A-Za-z_~]\w*)\(", re.MULTILINE)
+TYPE = r"(?:const )?(?:unsigned )?[\w:]+(?:<.*>)?(?:::\w+)?"
+NAMED = re.compile(TYPE + r"[\s&*]+\w+(?: *=.*)?", re.DOTALL)
+PARAMETER = re.compile(TYPE + r"(?:[\s&*]+(?:const[\s&*]+)*(?:\w+(?:\[\w*\])?)?(?: *=.*)?)?", re.DOTALL)
 AFTER = re.compile(r"\s*(?:const\b|override\b|noexcept\b|[;{:=])")
+BODY = re.compile(r"\s*(?:(?:const|override|noexcept|final)\s*)*(?:\{|:\s*\w+[({<])")
 
 
 def without_comments(text):
@@ -24,7 +27,8 @@ def without_comments(text):
 
 
 def arguments(text, start):
-    """What is between the parenthesis that ends before `start` and its partner, at commas, and where that ends."""
+    """What is between the parenthesis that ends before `start` and its partner, at commas, where that ends, and whether
+    angles in it are brackets."""
     found, depth, angles, begin = [], 1, 0, start
     for end in range(start, len(text)):
         sign = text[end]
@@ -34,15 +38,21 @@ def arguments(text, start):
             found.append(text[begin:end].strip())
             begin = end + 1
         if depth == 0:
-            return found, end + 1
-    return found, len(text)
+            return found, end + 1, angles == 0
+    return found, len(text), False
 
 
 def too_many_parameters(text):
+    """Those of a definition have to be readable; what has no body may be a call, unless all have types and names."""
     for match in DECLARATOR.finditer(text):
-        parameters, end = arguments(text, match.end())
-        if (len(parameters) > MOST_PARAMETERS and all(map(PARAMETER.fullmatch, parameters)) and AFTER.match(text, end)):
-            yield text.count("\n", 0, match.start(1)) + 1, f"{match[1]} takes {len(parameters)} parameters"
+        parameters, end, readable = arguments(text, match.end())
+        if not AFTER.match(text, end) or (readable and len(parameters) <= MOST_PARAMETERS):
+            continue
+        line, defined = text.count("\n", 0, match.start(1)) + 1, BODY.match(text, end)
+        if readable and all(map((PARAMETER if defined else NAMED).fullmatch, parameters)):
+            yield line, f"{match[1]} takes {len(parameters)} parameters"
+        elif defined:
+            yield line, f"parameters of {match[1]} cannot be read"
 
 
 def too_long(text):
@@ -68,9 +78,15 @@ def complaints(text):
 def try_on_large_ones():
     many = "  void\n  f(" + ",\n    ".join(f"const std::map<int, double> &p{i}" for i in range(6)) + ") const;\n"
     long = "namespace a\n{\n  int\n  g(int)\n  {\n" + "    // more\n" * 81 + "  }\n}\n"
-    return ([what for _, what in complaints(many + long)] == ["f takes 6 parameters", "a body of 81 lines"] and
+    unnamed = "  void\n  S::operator()(int, char *a[], const char *const *b, double &&, T<U, V> c = {}, bool) const\n  {\n  }\n"
+    unread = ("  int\n  k(int (*a)(int), int b, int c, int d, int e, int f)\n  {\n  }\n"
+              "  K::K(int a = 1 << 2, int b = 1, int c = 1)\n    : a(a)\n  {\n  }\n")
+    return ([what for _, what in complaints(many + long + unnamed + unread)] ==
+            ["f takes 6 parameters", "operator() takes 6 parameters", "parameters of k cannot be read",
+             "parameters of K cannot be read", "a body of 81 lines"] and
             not complaints("namespace b\n{\n" + "  int i;\n" * 99 + "}\n") and
-            not complaints("  void\n  h(int a, int b, int c, int d, int e);\n  x = h(1, 2, 3, 4, 5, 6);\n"))
+            not complaints("  void\n  h(int a, int b, int c, int d, int e);\n  x = h(1, 2, 3, 4, 5, 6);\n"
+                           "  h(1, 2, 3, 4, 5, 6 < 7);\n"))
 
 
 root = pathlib.Path(sys.argv[1])
