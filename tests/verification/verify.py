@@ -88,6 +88,7 @@ class Result:
 def verify(arguments):
     rows = []
     for name in arguments.cases or case_names(arguments.quick):
+        n_before = len(rows)
         case = importlib.import_module(name)
         runner = Runner(name, arguments)
         checks, broken = [], False
@@ -102,7 +103,7 @@ def verify(arguments):
                          check.shown_tolerance(), f"{runner.seconds:.1f}", check.verdict()])
         if broken or not checks:
             rows.append([name, "a run that did not end", "", "", "", "", f"{runner.seconds:.1f}", "FAILED"])
-        for row in rows[-len(checks) - broken:]:
+        for row in rows[n_before:]:
             print(" | ".join(row), flush=True)
     failed, good = (sum(row[-1] == verdict for row in rows) for verdict in ("FAILED", "ok"))
     print(f"{good} of {good + failed} numbers within their tolerance")
