@@ -12,5 +12,12 @@ if printf 'int  main( ){}\n' |
   echo "$1 does not notice a file that is badly formatted."
   exit 1
 fi
-find include source tests -name '*.h' -o -name '*.cc' | sort |
-  xargs "$1" --dry-run -Werror
+# A pipe would pass on nothing of what find cannot read.
+files=$(mktemp)
+trap 'rm -f "$files"' EXIT
+find include source tests \( -name '*.h' -o -name '*.cc' \) -print0 > "$files"
+if [ ! -s "$files" ]; then
+  echo "Where are the sources?"
+  exit 1
+fi
+xargs -0 "$1" --dry-run -Werror < "$files"
