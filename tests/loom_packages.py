@@ -22,6 +22,8 @@ SCRIPTS = {
     "sudo": 'exec "$@"',
     "apt-get": 'echo "$@" >> "$CALLS"',
     "cmake": 'mkdir -p "${0%/*}/build"',
+    "build/fiberloom": 'echo "$OMP_NUM_THREADS $OMPI_ALLOW_RUN_AS_ROOT $*"',
+    "mpirun": 'echo "mpirun $*"',
     "ctest": 'echo "$TESTED"; ! grep -q FAILED <<< "$TESTED"',
 }
 SKIPPED = 77
@@ -32,6 +34,7 @@ def build(*arguments, user=0, installed="g++ make", answer=None, tested=""):
     """Status, lines on stdout and on stderr, and what apt was told to install; `answer` is typed at a terminal."""
     with tempfile.TemporaryDirectory() as directory:
         for name, text in SCRIPTS.items():
+            os.makedirs(os.path.dirname(os.path.join(directory, name)), exist_ok=True)
             with open(os.path.join(directory, name), "w") as script:
                 script.write(f"#!/bin/bash\n{text}\n")
             os.chmod(script.name, 0o755)
@@ -96,6 +99,12 @@ for user in 0, 1000:
     check(f"user {user} at a terminal, n: told, not installed", answered("n\n", user=user) == (False, True, False))
     check(f"user {user} at a terminal, end: told, not installed", answered("\x04", user=user) == (False, True, False))
 check("at a terminal, --yes: not asked", installs("build", "--yes", answer="n\n"))
+check("start: installs and builds nothing, sets the environment",
+      build("start", "a.prm", "--ranks", "1", user=1000) == (0, "1 1 a.prm\n", [], []))
+status, shown, errors, told = build("start", "a.prm", "--ranks", "2", user=1000)
+check("start: on two ranks", status == 0 and shown.startswith("mpirun -q -np 2 ") and shown.endswith("/build/fiberloom a.prm\n")
+      and not errors and not told)
+check("run: would install", refuses("run", "a.prm", "--ranks", "1", user=1000))
 check("all tests pass", counted("100% tests passed, 0 tests failed out of 5") == (0, "5 passed, 0 failed"))
 check("one is skipped", counted("100% tests passed, 0 tests failed out of 5\n\nThe following tests did not run:\n"
                                 "\t  2 - b (Skipped)") == (0, "4 passed, 0 failed, 1 skipped"))
