@@ -90,6 +90,7 @@ except OSError as error:
 check("nothing to install: builds, also without a terminal",
       build("build", user=1000, installed="all")[::3] == (0, []))
 check("root without a terminal: installs", installs("build"))
+check("install: installs as well", installs("install"))
 check("a user without a terminal: one line", refuses("build", user=1000))
 for arguments in ("--yes", "build"), ("build", "--yes"), ("-y", "build"), ("build", "-y"):
     check(f"a user without a terminal, {' '.join(arguments)}: installs", installs(*arguments, user=1000))
