@@ -36,9 +36,9 @@ class RunFailed(RuntimeError):
     """
 
     def __init__(self, status, message, results):
-        # Others, such as mpirun, end with the same numbers for reasons of their own.
-        meaning = MEANING.get(status) if message.startswith("fiberloom: ") else None
-        super().__init__(f"{meaning or f'status {status}'}: {message}")
+        # mpirun ends with 1 for reasons of its own.
+        known = status in MEANING and (status != 1 or message.startswith("fiberloom: "))
+        super().__init__(f"{MEANING[status] if known else f'status {status}'}: {message}")
         self.status, self.message, self.results = status, message, results
 
 
@@ -74,8 +74,9 @@ def run(scene, settings=None, *, output=None, ranks=1, restart=None):
     directory = Path(output) if output is not None else output_directory(command, environment)
     before = stamp(directory)
     done = subprocess.run(command, capture_output=True, text=True, env=environment)
-    # A run that ended early may have left the summary of another one there.
-    results = Results(directory) if done.returncode == 0 or stamp(directory) != before else None
+    # Bad input and a run that ended early leave there what another run has written.
+    written = done.returncode == 0 or (done.returncode != 1 and stamp(directory) != before)
+    results = Results(directory) if written else None
     if done.returncode:
         own = [line for line in done.stderr.splitlines() if line.startswith("fiberloom: ")]  # mpirun adds lines
         raise RunFailed(done.returncode, own[0] if own else done.stderr.strip(), results)

@@ -44,7 +44,7 @@ def test_results_of_another_run_are_not_taken_for_those_of_one_that_failed(woven
         replaced.setenv("FIBERLOOM", str(killed))
         fiberloom.run(SCENE, SMALL, output=tmp_path)
     assert (failure.value.status, failure.value.results) == (-9, None)
-    with pytest.raises(fiberloom.RunFailed) as failure:
+    with pytest.raises(fiberloom.RunFailed, match="^stopped on request: ") as failure:
         fiberloom.run(SCENE, {**SMALL, "Maximal wall time": .1}, output=tmp_path)
     assert failure.value.status == 3 and failure.value.results.summary["run"] != woven.summary["run"]
 
