@@ -115,7 +115,7 @@ namespace
         state = checkpoint.state;
         writer.continue_from(checkpoint);
       }
-    writer.begin(false);
+    writer.begin(state);
     for (unsigned int i = 0; i < n_increments; ++i)
       {
         writer.begin_stage(parameters.stages[state.stage], state);

@@ -30,7 +30,7 @@ namespace
           {straight_fiber(Vector3(-20, 0, 0), Vector3(20, 0, 0), 4),
            straight_fiber(Vector3(0, -20, 6), Vector3(0, 20, 6), 4)}))
       , mesh(fibers)
-      , search(mesh, .3, .5, false)
+      , search(mesh, .3, .5, ProximitySearch::Pairs::of_two_fibers)
     {}
 
     /** The second fiber goes by @p motion , then everything turns about a

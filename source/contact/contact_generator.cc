@@ -60,8 +60,10 @@ namespace fiberloom
              .5 * mesh.largest_radius(),
              // Fibers of a fabric do not fold back on themselves.
              parameters.self_contact == SelfContact::always ||
-               (parameters.self_contact == SelfContact::automatic &&
-                !fibers.pattern),
+                 (parameters.self_contact == SelfContact::automatic &&
+                  !fibers.pattern) ?
+               ProximitySearch::Pairs::of_one_too :
+               ProximitySearch::Pairs::of_two_fibers,
              mesh.images())
     , woven_pairs(find_woven_pairs(this->fibers, mesh.images()))
   {}
@@ -146,16 +148,16 @@ namespace fiberloom
 
 
   double
-  ContactGenerator::initial_stiffness(const std::array<unsigned int, 2> &pair,
-                                      const bool crossing) const
+  ContactGenerator::initial_stiffness(const ContactZone &zone) const
   {
     if (parameters.line_stiffness > 0)
       return parameters.line_stiffness;
-    const auto  &first = mesh.lines()[pair[0]], &second = mesh.lines()[pair[1]];
+    const auto &first      = mesh.lines()[zone.fibers[0]],
+               &second     = mesh.lines()[zone.fibers[1]];
     const double stiffness = parameters.initial_stiffness *
                              std::min(first.young_modulus * first.radius,
                                       second.young_modulus * second.radius);
-    if (!crossing)
+    if (!zone.crossing)
       return stiffness / (.5 * first.length / first.n_elements);
 
     const double penetration =
@@ -167,20 +169,16 @@ namespace fiberloom
 
 
   ContactZone
-  ContactGenerator::successor(const std::array<unsigned int, 2>          &pair,
-                              const std::array<std::array<double, 2>, 2> &range,
-                              const ContactState &before,
-                              const bool          crossing_if_new) const
+  ContactGenerator::successor(ContactZone         zone,
+                              const ContactState &before) const
   {
-    ContactZone zone;
-    zone.fibers = pair;
-    zone.range  = range;
+    const auto        &pair = zone.fibers;
     const ContactZone *predecessor =
-      find_predecessor(before.zones, pair, range, zone.stiffness);
+      find_predecessor(before.zones, pair, zone.range, zone.stiffness);
     // What has slid over the cell's border is the zone of an image now.
     for (int way = -1; cell.images() && !predecessor && way <= 1; way += 2)
       {
-        auto moved = range;
+        auto moved = zone.range;
         for (unsigned int s = 0; s < 2; ++s)
           for (double &u : moved[s])
             u += way * int(mesh.lines()[pair[s]].period);
@@ -194,10 +192,7 @@ namespace fiberloom
         zone.divided  = predecessor->divided;
       }
     else
-      {
-        zone.crossing  = crossing_if_new;
-        zone.stiffness = initial_stiffness(pair, crossing_if_new);
-      }
+      zone.stiffness = initial_stiffness(zone);
     if (const int order = superimposition(fibers, pair[0], pair[1]))
       zone.side = order;
     return zone;
@@ -273,10 +268,12 @@ namespace fiberloom
         for (unsigned int s = 0; s < 2; ++s)
           start[s] = .5 * mesh.lines()[pair[s]].n_elements;
         const ParameterPair u = plan_crossing(mesh, q, pair, start);
-        const std::array<std::array<double, 2>, 2> range{
-          {{{u[0], u[0]}}, {{u[1], u[1]}}}};
+        ContactZone         found;
+        found.fibers   = pair;
+        found.range    = {{{{u[0], u[0]}}, {{u[1], u[1]}}}};
+        found.crossing = true;
 
-        state.zones.push_back(successor(pair, range, before, true));
+        state.zones.push_back(successor(found, before));
         state.zones.back().crossing = true;
         const unsigned int zone     = state.zones.size() - 1;
 
@@ -321,11 +318,13 @@ namespace fiberloom
           continue;
 
         const ZoneClass kind(mesh, q, proximity, margin);
-        ContactZone     zone = successor(pair,
-                                     {{proximity.range(0), proximity.range(1)}},
-                                     before,
-                                     kind.crosses());
-        zone.crossing        = kind.crosses_still(zone.crossing);
+        ContactZone     found;
+        found.fibers     = pair;
+        found.range      = {{proximity.range(0), proximity.range(1)}};
+        found.crossing   = kind.crosses();
+        ContactZone zone = successor(found, before);
+        zone.crossing =
+          zone.crossing ? kind.crosses_still() : kind.crosses_now();
         state.zones.push_back(zone);
         const unsigned int index = state.zones.size() - 1;
 

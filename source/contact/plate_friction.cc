@@ -9,9 +9,10 @@
 namespace fiberloom
 {
   void
-  PlateFriction::place_particle(const Section &section, const bool below)
+  PlateFriction::place_particle(const Section &section, const Extreme extreme)
   {
-    const double s = below ? 1 : -1, h = std::hypot(section[5], section[8]);
+    const double s = extreme == Extreme::highest ? 1 : -1,
+                 h = std::hypot(section[5], section[8]);
     particle << 1, h > 0 ? s * section[5] / h : 0,
       h > 0 ? s * section[8] / h : 0;
   }

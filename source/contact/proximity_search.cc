@@ -34,12 +34,12 @@ namespace fiberloom
   ProximitySearch::ProximitySearch(const FiberMesh   &mesh,
                                    const double       margin,
                                    const double       skin,
-                                   const bool         self_contact,
+                                   const Pairs        pairs,
                                    const FiberImages *images)
     : mesh(mesh)
     , margin(margin)
     , skin(skin)
-    , self_contact(self_contact)
+    , pairs(pairs)
     , images(images)
   {}
 
@@ -83,7 +83,7 @@ namespace fiberloom
     const double apart =
       (static_cast<double>(second) - static_cast<double>(first) - 1) *
       line.length / (line.n_nodes() - 1);
-    return self_contact && apart >= 2 * M_PI * line.radius;
+    return pairs == Pairs::of_one_too && apart >= 2 * M_PI * line.radius;
   }
 
 
@@ -123,7 +123,7 @@ namespace fiberloom
     std::vector<Box> boxes;
     for (const auto &line : mesh.lines())
       {
-        if (self_contact && may_touch_itself(q, line))
+        if (pairs == Pairs::of_one_too && may_touch_itself(q, line))
           return true;
         Vector3 lower = q.segment<3>(9 * line.first_node), upper = lower;
         for (unsigned int k = 1; k < line.n_nodes(); ++k)

@@ -108,11 +108,17 @@ namespace fiberloom
 
 
   bool
-  ZoneClass::crosses_still(const bool crossing) const
+  ZoneClass::crosses_still() const
   {
-    if (!closest || length > parallel_length || drift < parallel_drift)
-      return false;
-    return crossing || (cosine < crossing_below && length < crossing_length &&
-                        drift > crossing_drift);
+    return closest && !(length > parallel_length || drift < parallel_drift);
+  }
+
+
+
+  bool
+  ZoneClass::crosses_now() const
+  {
+    return crosses_still() && cosine < crossing_below &&
+           length < crossing_length && drift > crossing_drift;
   }
 } // namespace fiberloom

@@ -259,12 +259,15 @@ namespace fiberloom
         set.fibers.push_back(std::move(fiber));
       }
 
+      /** @p joining of the points unless the user asks for another. */
       void
-      add_through(const Fiber &fiber, const Polyline &points, const bool smooth)
+      add_through(const Fiber &fiber, const Polyline &points, Joining joining)
       {
         check_points(points);
+        if (fibers.interpolation != Joining::automatic)
+          joining = fibers.interpolation;
         add(fiber,
-            smooth && points.size() > 2 ?
+            joining == Joining::smooth && points.size() > 2 ?
               divide(smooth_curve(points), n_nodes) :
               divide(points, n_nodes));
       }
@@ -279,9 +282,7 @@ namespace fiberloom
           {
             const Fiber fiber = member_of(l, lines.size());
             explained(source + ": line number " + std::to_string(l), [&] {
-              add_through(fiber,
-                          read_polyline(lines[l]),
-                          fibers.interpolation == Joining::smooth);
+              add_through(fiber, read_polyline(lines[l]), Joining::straight);
             });
           }
       }
@@ -304,9 +305,7 @@ namespace fiberloom
             fiber.young_modulus = values[1].value_or(fiber.young_modulus);
             fiber.poisson_ratio = values[2].value_or(fiber.poisson_ratio);
             explained(source + ": fiber " + std::to_string(f), [&] {
-              add_through(fiber,
-                          read[f].points,
-                          fibers.interpolation != Joining::straight);
+              add_through(fiber, read[f].points, Joining::smooth);
             });
           }
         if (read.front().tow)

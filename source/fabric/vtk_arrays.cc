@@ -96,17 +96,17 @@ namespace fiberloom
     public:
       Bytes(const VtkArray        &array,
             const std::string_view encoded,
-            const bool             as_text)
+            const ByteCode         code)
         : array(array)
         , encoded(encoded)
-        , as_text(as_text)
+        , code(code)
       {}
 
       /** Of the encoding of @p n bytes. */
       std::size_t
       encoded_size(const std::size_t n) const
       {
-        return as_text ? (n + 2) / 3 * 4 : n;
+        return code == ByteCode::base64 ? (n + 2) / 3 * 4 : n;
       }
 
       /** Of all that is encoded. */
@@ -124,7 +124,7 @@ namespace fiberloom
             encoded_size(n) > encoded.size() - place)
           fail(array, "is truncated, or damaged");
         const auto part = encoded.substr(place, encoded_size(n));
-        if (!as_text)
+        if (code == ByteCode::none)
           return std::string(part);
         std::string bytes;
         bytes.reserve(part.size() / 4 * 3);
@@ -137,7 +137,7 @@ namespace fiberloom
     private:
       const VtkArray        &array;
       const std::string_view encoded;
-      const bool             as_text;
+      const ByteCode         code;
 
       void
       append_three(const std::string_view four, std::string &bytes) const
@@ -213,11 +213,11 @@ namespace fiberloom
       BinaryArray(const VtkArray        &array,
                   const VtkEncoding     &encoding,
                   const std::string_view encoded,
-                  const bool             as_text,
+                  const ByteCode         code,
                   const std::size_t      n_bytes)
         : array(array)
         , encoding(encoding)
-        , bytes(array, encoded, as_text)
+        , bytes(array, encoded, code)
         , n_bytes(n_bytes)
       {}
 
@@ -351,7 +351,7 @@ namespace fiberloom
           return BinaryArray(array,
                              encoding,
                              encoding.appended.substr(offset),
-                             encoding.appended_as_text,
+                             encoding.appended_code,
                              n_bytes)
             .read();
         }
@@ -363,7 +363,8 @@ namespace fiberloom
                                          std::string_view::npos;
                                 }),
                  text.end());
-      return BinaryArray(array, encoding, text, true, n_bytes).read();
+      return BinaryArray(array, encoding, text, ByteCode::base64, n_bytes)
+        .read();
     }
   } // namespace
 

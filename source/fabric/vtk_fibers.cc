@@ -133,8 +133,8 @@ namespace fiberloom
       void
       open_appended_data()
       {
-        encoding.appended_as_text =
-          scanner.attribute("encoding", "base64") == "base64";
+        if (scanner.attribute("encoding", "base64") == "base64")
+          encoding.appended_code = ByteCode::base64;
         encoding.appended      = scanner.rest();
         const std::size_t mark = encoding.appended.find('_');
         if (mark == std::string_view::npos)
@@ -157,24 +157,27 @@ namespace fiberloom
       {}
 
       void
-      read(const bool is_poly_data)
+      read_poly_data()
       {
         for (const char *other :
              {"NumberOfVerts", "NumberOfStrips", "NumberOfPolys"})
-          if (is_poly_data && count(other) > 0)
+          if (count(other) > 0)
             throw InputError(
               "has cells that are no lines, " + std::string(other) + " = " +
               std::to_string(count(other)) + "; allowed: lines and polylines");
-        const std::string cells = is_poly_data ? "Lines" : "Cells";
-        n_cells = count(is_poly_data ? "NumberOfLines" : "NumberOfCells");
+        n_cells = count("NumberOfLines");
+        if (n_cells > 0)
+          read_fibers("Lines");
+      }
+
+      void
+      read_unstructured_grid()
+      {
+        n_cells = count("NumberOfCells");
         if (n_cells == 0)
           return;
-        if (!is_poly_data)
-          check_types();
-        read_cells(cells);
-        read_points();
-        for (std::size_t v = 0; v < FiberPoints::value_names.size(); ++v)
-          read_values(v);
+        check_types();
+        read_fibers("Cells");
       }
 
     private:
@@ -187,6 +190,16 @@ namespace fiberloom
       // Numbers of points, those of cell c ending before ends[c].
       std::vector<std::size_t> connectivity, ends;
       std::size_t              first_fiber = 0;
+
+      /** Those that the element @p cells says. */
+      void
+      read_fibers(const std::string &cells)
+      {
+        read_cells(cells);
+        read_points();
+        for (std::size_t v = 0; v < FiberPoints::value_names.size(); ++v)
+          read_values(v);
+      }
 
       std::size_t
       count(const std::string &name) const
@@ -381,7 +394,13 @@ namespace fiberloom
       }
     FiberFile found;
     for (const Piece &piece : vtk->pieces)
-      PieceReader(piece, vtk->encoding, found).read(is_poly_data);
+      {
+        PieceReader reader(piece, vtk->encoding, found);
+        if (is_poly_data)
+          reader.read_poly_data();
+        else
+          reader.read_unstructured_grid();
+      }
     found.ignored = ignored_arrays(vtk->pieces);
     for (const std::string name : FiberPoints::value_names)
       found.read += (found.read.empty() ? "" : ", ") + name;

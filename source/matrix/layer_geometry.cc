@@ -6,7 +6,6 @@
 #include <fiberloom/base/parameters.h>
 
 #include <fiberloom/matrix/layer_geometry.h>
-#include <fiberloom/matrix/woven_surface.h>
 
 #include <Eigen/Geometry>
 
@@ -59,9 +58,9 @@ namespace fiberloom
     void
     repair_or_refuse(LayerBlock        &block,
                      const unsigned int k_face,
-                     const bool         is_periodic)
+                     const Borders      borders)
     {
-      if (!repair(block, k_face, is_periodic))
+      if (!repair(block, k_face, borders))
         throw InputError(
           "Matrix: the woven surface is too rough for the cells, whose worst "
           "corner stays at " +
@@ -78,13 +77,13 @@ namespace fiberloom
     overlap_fabric(std::vector<double> &lower,
                    std::vector<double> &upper,
                    const double         overlap,
-                   const bool           both)
+                   const Layers         layers)
     {
       unsigned int n_thin = 0;
       for (unsigned int v = 0; v < upper.size(); ++v)
         {
           double depth = overlap;
-          if (both)
+          if (layers == Layers::both)
             depth = std::min(depth, largest_part * (upper[v] - lower[v]));
           n_thin += depth < overlap;
           lower[v] += depth;
@@ -177,7 +176,7 @@ namespace fiberloom
                                      extent.low.z() - parameters.thickness),
       top(x.size() * y.size(), extent.high.z() + parameters.thickness);
 
-    const bool    is_cell = !mesh.originals().empty();
+    const Borders borders = borders_of(mesh);
     LayerGeometry geometry;
     if (layers == Layers::filled)
       {
@@ -187,16 +186,16 @@ namespace fiberloom
 
     std::vector<double> lower = surface_heights(mesh, q, Side::lower, x, y),
                         upper = surface_heights(mesh, q, Side::upper, x, y);
-    overlap_fabric(lower, upper, parameters.overlap, layers == Layers::both);
+    overlap_fabric(lower, upper, parameters.overlap, layers);
     if (layers == Layers::lower || layers == Layers::both)
       {
         geometry.blocks.push_back(make_block(x, y, bottom, lower, n));
-        repair_or_refuse(geometry.blocks.back(), n, is_cell);
+        repair_or_refuse(geometry.blocks.back(), n, borders);
       }
     if (layers == Layers::upper || layers == Layers::both)
       {
         geometry.blocks.push_back(make_block(x, y, upper, top, n));
-        repair_or_refuse(geometry.blocks.back(), 0, is_cell);
+        repair_or_refuse(geometry.blocks.back(), 0, borders);
       }
     return geometry;
   }
@@ -268,11 +267,11 @@ namespace fiberloom
 
 
   bool
-  repair(LayerBlock &block, const unsigned int k_face, const bool is_periodic)
+  repair(LayerBlock &block, const unsigned int k_face, const Borders borders)
   {
     // What is next to a border of a cell is next to the opposite one.
     const auto neighbor = [&](const int i, const int n) {
-      return is_periodic ? (i + n) % n : i;
+      return borders == Borders::periodic ? (i + n) % n : i;
     };
     const unsigned int n_x = block.n_cells[0], n_y = block.n_cells[1],
                        n_z      = block.n_cells[2];

@@ -27,17 +27,17 @@ namespace fiberloom
                static_cast<int>(std::floor(t + .5 + 1e-9))}};
     }
 
-    /** Takes heights into the gaps from around them, ring by ring; in a cell,
-     * from beyond the borders as well. */
+    /** Takes heights into the gaps from around them, ring by ring, and from
+     * beyond periodic borders as well. */
     void
     fill_gaps(std::vector<double> &heights,
               const int            n_x,
               const int            n_y,
-              const bool           is_cell)
+              const Borders        borders)
     {
       // Opposite borders of a cell are the same line.
       const auto neighbor = [&](const int i, const int n) {
-        return is_cell ? (i + n - 1) % (n - 1) : i;
+        return borders == Borders::periodic ? (i + n - 1) % (n - 1) : i;
       };
       for (bool gaps = true; gaps;)
         {
@@ -118,10 +118,10 @@ namespace fiberloom
                   const std::vector<double> &x,
                   const std::vector<double> &y)
   {
-    const double sign = side == Side::upper ? 1 : -1;
-    const double step = std::min(x[1] - x[0], y[1] - y[0]) / samples_per_cell;
-    const int    n_x = x.size(), n_y = y.size();
-    const bool   is_cell = !mesh.originals().empty();
+    const double  sign = side == Side::upper ? 1 : -1;
+    const double  step = std::min(x[1] - x[0], y[1] - y[0]) / samples_per_cell;
+    const int     n_x = x.size(), n_y = y.size();
+    const Borders borders = borders_of(mesh);
     std::vector<double> heights(n_x * n_y, nothing); // times the sign
     for (unsigned int f = 0; f < mesh.lines().size(); ++f)
       {
@@ -138,7 +138,7 @@ namespace fiberloom
                       particle[1] * section.vector_2)
                        .z();
             Vector3 center = section.center;
-            if (is_cell)
+            if (borders == Borders::periodic)
               center << move_between(x, center.x()),
                 move_between(y, center.y()), center.z();
             const auto i = near_lines(x, center.x());
@@ -151,9 +151,9 @@ namespace fiberloom
     if (*std::max_element(heights.begin(), heights.end()) == nothing)
       throw InputError("Matrix: no fiber is in reach of the layers; allowed: "
                        "a Size that holds some");
-    if (is_cell)
+    if (borders == Borders::periodic)
       join_borders(heights, n_x, n_y);
-    fill_gaps(heights, n_x, n_y, is_cell);
+    fill_gaps(heights, n_x, n_y, borders);
     for (double &height : heights)
       height *= sign;
     return heights;

@@ -107,8 +107,8 @@ namespace fiberloom
   void
   Assembly::add_product(HeldGroup &rows, HeldGroup &columns)
   {
-    rows.transform(state->q, state->placements, false);
-    columns.transform(state->q, state->placements, false);
+    rows.transform(state->q, state->placements, HeldGroup::Parts::forces);
+    columns.transform(state->q, state->placements, HeldGroup::Parts::forces);
     std::vector<unsigned int> blocks;
     std::vector<double>       row, column;
     for (unsigned int a = 0; a < rows.n_blocks(); ++a)

@@ -206,7 +206,7 @@ namespace fiberloom
   HeldGroup::transform_node(const unsigned int            a,
                             const DofVector              &q,
                             const std::vector<Placement> &placements,
-                            const bool                    with_tangent,
+                            const Parts                   parts,
                             Eigen::MatrixXd              &geometric)
   {
     using Dofs   = Eigen::Matrix<double, n_dofs, 1>;
@@ -258,14 +258,14 @@ namespace fiberloom
           geometric(first + 8, first + 4) += lift;
         }
 
-    apply<n_dofs>(a, basis, motion, with_tangent);
+    apply<n_dofs>(a, basis, motion, parts);
   }
 
 
 
   template <int n_dofs>
   void
-  HeldGroup::transform_carried(const unsigned int a, const bool with_tangent)
+  HeldGroup::transform_carried(const unsigned int a, const Parts parts)
   {
     using Basis  = Eigen::Matrix<double, n_dofs, n_dofs>;
     using Motion = Eigen::Matrix<double, n_dofs, 6>;
@@ -278,7 +278,7 @@ namespace fiberloom
       }
     Motion motion                         = Motion::Zero();
     motion.template topLeftCorner<3, 3>() = *carried[a];
-    apply<n_dofs>(a, basis, motion, with_tangent);
+    apply<n_dofs>(a, basis, motion, parts);
   }
 
 
@@ -288,7 +288,7 @@ namespace fiberloom
   HeldGroup::apply(const unsigned int                           a,
                    const Eigen::Matrix<double, n_dofs, n_dofs> &basis,
                    const Eigen::Matrix<double, n_dofs, 6>      &motion,
-                   const bool                                   with_tangent)
+                   const Parts                                  parts)
   {
     const unsigned int                     first = offset(a);
     const unsigned int                     body  = offset(body_position[a]);
@@ -296,7 +296,7 @@ namespace fiberloom
       forces.segment<n_dofs>(first);
     forces.segment<n_dofs>(first) = basis.transpose() * force;
     forces.segment<6>(body) += motion.transpose() * force;
-    if (!with_tangent)
+    if (parts == Parts::forces)
       return;
 
     // Other columns stay: far less work than a product with the whole map.
@@ -315,7 +315,7 @@ namespace fiberloom
   void
   HeldGroup::transform(const DofVector              &q,
                        const std::vector<Placement> &placements,
-                       const bool                    with_tangent)
+                       const Parts                   parts)
   {
     const unsigned int n         = forces.size();
     Eigen::MatrixXd    geometric = Eigen::MatrixXd::Zero(n, n);
@@ -323,18 +323,18 @@ namespace fiberloom
       if (carried[a])
         {
           if (size(a) == 9)
-            transform_carried<9>(a, with_tangent);
+            transform_carried<9>(a, parts);
           else
-            transform_carried<3>(a, with_tangent);
+            transform_carried<3>(a, parts);
         }
       else if (held[a] != nullptr)
         {
           if (size(a) == 9)
-            transform_node<9>(a, q, placements, with_tangent, geometric);
+            transform_node<9>(a, q, placements, parts, geometric);
           else
-            transform_node<3>(a, q, placements, with_tangent, geometric);
+            transform_node<3>(a, q, placements, parts, geometric);
         }
-    if (with_tangent)
+    if (parts == Parts::forces_and_stiffness)
       matrix += geometric;
   }
 } // namespace fiberloom

@@ -23,12 +23,12 @@ namespace fiberloom
       return section;
     }
 
-    /** The entry of the same plate nearest to the section, within half an
-     * element, or null. */
+    /** The entry of the plate of @p contact nearest to the section, within half
+     * an element, or null. */
     const PlateHistory *
     nearest_history(const std::vector<PlateHistory> &history,
                     const PlateGroup                &group,
-                    const bool                       upper)
+                    const PlateContact              &contact)
     {
       const PlateHistory *nearest  = nullptr;
       double              distance = .5;
@@ -43,7 +43,7 @@ namespace fiberloom
            entry->u < group.u + distance;
            ++entry)
         if (const double away = std::abs(entry->u - group.u);
-            entry->upper == upper && away < distance)
+            entry->upper == contact.upper && away < distance)
           {
             distance = away;
             nearest  = &*entry;
@@ -217,10 +217,13 @@ namespace fiberloom
           supports.plates->friction_coefficient * friction.normal_force_before;
         friction.elastic_slip =
           supports.plates->elastic_slip * mesh.lines()[group.fiber].radius;
-        friction.place_particle(group.section, contact.upper);
+        friction.place_particle(group.section,
+                                contact.upper ?
+                                  PlateFriction::Extreme::highest :
+                                  PlateFriction::Extreme::lowest);
         friction.origin = friction.place(section_at(q_before, group));
         if (const PlateHistory *entry =
-              nearest_history(history, group, contact.upper))
+              nearest_history(history, group, contact))
           friction.origin -= Eigen::Vector2d(entry->slip[0], entry->slip[1]);
         frictions.push_back(friction);
       });

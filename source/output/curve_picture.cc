@@ -239,11 +239,10 @@ namespace fiberloom
                      plot.abscissa_name,
                      16,
                      SvgPicture::Anchor::middle);
-        picture.text({{26, .5 * (top + bottom)}},
-                     plot.quantity,
-                     16,
-                     SvgPicture::Anchor::middle,
-                     true);
+        picture.upright_text({{26, .5 * (top + bottom)}},
+                             plot.quantity,
+                             16,
+                             SvgPicture::Anchor::middle);
       }
 
       void

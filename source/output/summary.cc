@@ -92,10 +92,10 @@ namespace fiberloom
     }
 
     Json
-    stage_json(const StageStatistics &stage, const bool preview)
+    stage_json(const StageStatistics &stage)
     {
       Json                       json      = {{"name", stage.name},
-                                              {"converged", stage.converged && !preview},
+                                              {"converged", stage.converged},
                                               {"increments", stage.increments},
                                               {"rejected_increments", stage.rejected_increments},
                                               {"contact_updates", stage.contact_updates},
@@ -145,7 +145,11 @@ namespace fiberloom
                  {"model", model_json(summary.model)},
                  {"stages", Json::array()}};
     for (const StageStatistics &stage : summary.stages)
-      json["stages"].push_back(stage_json(stage, summary.preview));
+      {
+        json["stages"].push_back(stage_json(stage));
+        if (summary.preview)
+          json["stages"].back()["converged"] = false;
+      }
     for (const auto &[name, value] : summary.fabric)
       json["fabric"][name] = value;
     json["peak_memory_bytes"] =

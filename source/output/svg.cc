@@ -87,20 +87,39 @@ namespace fiberloom
 
 
   void
-  SvgPicture::text(const Point       &position,
-                   const std::string &content,
-                   const double       size,
-                   const Anchor       anchor,
-                   const bool         upright)
+  SvgPicture::begin_text(const Point &position,
+                         const double size,
+                         const Anchor anchor)
   {
     const char *const anchors[] = {"start", "middle", "end"};
     body << "<text x=\"" << position[0] << "\" y=\"" << position[1]
          << "\" font-size=\"" << size << "\" text-anchor=\""
          << anchors[static_cast<int>(anchor)] << "\"";
-    if (upright)
-      body << " transform=\"rotate(-90 " << position[0] << " " << position[1]
-           << ")\"";
+  }
+
+
+
+  void
+  SvgPicture::text(const Point       &position,
+                   const std::string &content,
+                   const double       size,
+                   const Anchor       anchor)
+  {
+    begin_text(position, size, anchor);
     body << ">" << escaped(content) << "</text>\n";
+  }
+
+
+
+  void
+  SvgPicture::upright_text(const Point       &position,
+                           const std::string &content,
+                           const double       size,
+                           const Anchor       anchor)
+  {
+    begin_text(position, size, anchor);
+    body << " transform=\"rotate(-90 " << position[0] << " " << position[1]
+         << ")\">" << escaped(content) << "</text>\n";
   }
 
 

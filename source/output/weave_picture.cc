@@ -44,10 +44,10 @@ namespace fiberloom
     shifts_of_cells(const FiberSet  &fibers,
                     const FiberMesh &mesh,
                     const DofVector &q,
-                    const bool       with_neighbors)
+                    const Neighbors  neighbors)
     {
       std::vector<Vector3> shifts = {Vector3::Zero()};
-      if (!fibers.cell || !with_neighbors)
+      if (!fibers.cell || neighbors == Neighbors::hidden)
         return shifts;
       std::array<Vector3, 2> periods;
       for (const FiberMesh::Line &line : mesh.lines())
@@ -223,10 +223,10 @@ namespace fiberloom
                 const FiberMesh &mesh,
                 const DofVector &q,
                 const Composite *composite,
-                const bool       with_neighbors)
+                const Neighbors  neighbors)
   {
     const std::vector<Vector3> shifts =
-      shifts_of_cells(fibers, mesh, q, with_neighbors);
+      shifts_of_cells(fibers, mesh, q, neighbors);
     const PictureView view(mesh, q, composite, shifts);
     Canvas            canvas(view.width, view.height);
     double            mean_radius = 0;

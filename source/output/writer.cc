@@ -150,7 +150,7 @@ namespace fiberloom
 
 
   void
-  OutputWriter::begin(const bool converged)
+  OutputWriter::begin(const State &state)
   {
     collectively(comm, [&]() {
       if (!is_first_rank())
@@ -165,7 +165,7 @@ namespace fiberloom
       for (const IncrementTable *table : tables())
         write_file(path(table->file()), table->str(), Durability::on_disk);
     });
-    write_summary(converged);
+    write_summary_at(state);
   }
 
 
@@ -242,7 +242,7 @@ namespace fiberloom
         statistics[state.stage].seconds.wall += guard.elapsed();
         // What is left, such as the estimated error, is not in a state: killed
         // on the way to it, a run does the increment again.
-        write_summary(false);
+        write_summary();
       }
     else if (!parameters.output.only_summary &&
              is_due(parameters.output.checkpoint_every, report))
@@ -291,7 +291,7 @@ namespace fiberloom
           write_file(path(fabric.file()), fabric.str(), Durability::on_disk);
         write_exports(parameters, fibers, mesh, state.q);
       });
-    write_summary(true);
+    write_summary_at(state);
   }
 
 
@@ -317,7 +317,7 @@ namespace fiberloom
     // Nothing is to go on from a preview as if it were in balance.
     if (!parameters.output.only_summary && !parameters.is_preview())
       save(state);
-    write_summary(state.stage == parameters.stages.size());
+    write_summary_at(state);
   }
 
 
@@ -375,9 +375,18 @@ namespace fiberloom
 
 
   void
-  OutputWriter::write_summary(const bool converged)
+  OutputWriter::write_summary_at(const State &state)
   {
-    summary.converged         = converged;
+    summary.converged = state.stage == parameters.stages.size();
+    write_summary();
+    summary.converged = false;
+  }
+
+
+
+  void
+  OutputWriter::write_summary()
+  {
     summary.stages            = statistics;
     summary.fabric            = fabric.last();
     summary.peak_memory_bytes = peak_memory_bytes(comm);
@@ -623,7 +632,9 @@ namespace fiberloom
                                mesh,
                                report.state.q,
                                report.composite,
-                               parameters.output.neighbors));
+                               parameters.output.neighbors ?
+                                 Neighbors::shown :
+                                 Neighbors::hidden));
       const std::string drawing = curve_picture(curve, report.state.stage);
       if (!drawing.empty())
         write_file(path("pictures/loading_curve_" + label + ".svg"), drawing);

@@ -265,7 +265,7 @@ namespace fiberloom
 
 
   std::vector<std::string>
-  Simulation::compare_with_restarted(const bool nothing_left) const
+  Simulation::compare_with_restarted(const State &state) const
   {
     if (command_line.restart.empty() || !next_stage())
       return {};
@@ -282,7 +282,7 @@ namespace fiberloom
                     changes.end());
     if (changes.empty())
       return {};
-    if (nothing_left)
+    if (state.stage == parameters.stages.size())
       throw InputError(command_line.restart +
                        ": has all stages of this scene behind it, but with "
                        "other values (" +
@@ -301,7 +301,7 @@ namespace fiberloom
       writer.continue_from(restart);
     else
       record_stages_before(state, writer);
-    writer.begin(nothing_left);
+    writer.begin(state);
     if (nothing_left)
       {
         log.write("nothing is left to do: " + command_line.restart +
@@ -353,8 +353,7 @@ namespace fiberloom
       notes.push_back(add_matrix(parameters, mesh, state));
     for (const std::string &note : stage_notes(state))
       notes.push_back(note);
-    for (const std::string &note :
-         compare_with_restarted(state.stage == parameters.stages.size()))
+    for (const std::string &note : compare_with_restarted(state))
       notes.push_back(note);
     if (command_line.check)
       {
@@ -415,7 +414,7 @@ namespace fiberloom
                              const std::function<void()> &save)
   {
     save();
-    writer.write_summary(false);
+    writer.write_summary();
     log.write("stopped on request (" + stop.reason() +
               "): go on with --restart " + parameters.output_directory +
               "/checkpoint");
@@ -455,7 +454,7 @@ namespace fiberloom
           log.write(why);
           record();
           writer.save(state);
-          writer.write_summary(false);
+          writer.write_summary();
           writer.write_report(command_line.file);
         };
         State before_last;

@@ -283,12 +283,12 @@ namespace fiberloom
         ++statistics.rejected_increments;
         passed = passed || equilibrium.ends_passed();
         if (cuts == solver.largest_cuts || tiny)
-          throw StageFailure("stage " + name + " stops at load " +
-                             (boost::format("%.4f") % state.load).str() +
-                             ": the increment failed after " +
-                             std::to_string(cuts) + " cuts" +
-                             (tiny ? ", tiny as it is" : "") +
-                             unbalanced(found) + advice(passed));
+          throw StageFailure(
+            "stage " + name + " stops at load " +
+            (boost::format("%.4f") % state.load).str() +
+            ": the increment failed after " + std::to_string(cuts) + " cuts" +
+            (tiny ? ", tiny as it is" : "") + unbalanced(found) +
+            (passed ? advice_on_passage() : advice()));
         state.step /= 2;
         context.log.write(
           (boost::format("  %-8s increment to load %.4f failed, cut "
@@ -375,12 +375,18 @@ namespace fiberloom
 
 
   std::string
-  StageRun::advice(const bool passed) const
+  StageRun::advice_on_passage()
   {
-    if (passed)
-      return ", on whose way fibers would pass through each other; what moves "
-             "them has to lead around, or a smaller \"Largest penetration\" may "
-             "hold them";
+    return ", on whose way fibers would pass through each other; what moves "
+           "them has to lead around, or a smaller \"Largest penetration\" may "
+           "hold them";
+  }
+
+
+
+  std::string
+  StageRun::advice() const
+  {
     if (equilibrium.ends_folded())
       return ", where elements of a fiber have folded or sections have given "
              "way; a smaller \"Largest move\" or longer elements may help";

@@ -76,10 +76,10 @@ namespace fiberloom
 
 
   Equilibrium::Step
-  Equilibrium::newton_step(State         &state,
-                           const Problem &problem,
-                           const double   damping,
-                           const bool     search_line)
+  Equilibrium::newton_step(State           &state,
+                           const Problem   &problem,
+                           const double     damping,
+                           const StepLength length)
   {
     increment.assemble(state, problem);
     const double scale    = increment.scale(problem);
@@ -135,7 +135,7 @@ namespace fiberloom
                                       system.motion().largest_prescribed_move(
                                         state, problem.targets)));
       }
-    if (search_line && !moves && has_potential)
+    if (length == StepLength::by_energy && !moves && has_potential)
       {
         ScopedTimer timer(statistics.seconds.assembly);
         factor = search_along(state, problem, step, factor);
@@ -152,8 +152,12 @@ namespace fiberloom
   {
     for (unsigned int i = 0; i < parameters.solver.largest_newton_iterations;
          ++i)
-      switch (
-        newton_step(state, problem, 0, i >= parameters.solver.line_search_from))
+      switch (newton_step(state,
+                          problem,
+                          0,
+                          i >= parameters.solver.line_search_from ?
+                            StepLength::by_energy :
+                            StepLength::whole))
         {
           case Step::converged:
             return true;
@@ -429,7 +433,8 @@ namespace fiberloom
     for (unsigned int i = 0; i < n; ++i)
       {
         increment.generate(state, problem);
-        if (newton_step(state, problem, damping, true) != Step::moved)
+        if (newton_step(state, problem, damping, StepLength::by_energy) !=
+            Step::moved)
           return;
       }
   }

@@ -329,10 +329,10 @@ namespace fiberloom
                               std::vector<double> &solution,
                               Outcome             &outcome)
   {
-    equations.matrix.use_outer_products(true);
+    equations.matrix.use_outer_products();
     Task       task(equations, solution, outcome);
     const bool found = task.improve(*last, cycles_of_last());
-    equations.matrix.use_outer_products(false);
+    equations.matrix.leave_out_outer_products();
     return found;
   }
 

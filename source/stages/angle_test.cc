@@ -59,11 +59,11 @@ namespace fiberloom
 
 
 
-  bool
-  AngleTest::runs_along_x(const unsigned int body) const
+  Direction
+  AngleTest::runs_along(const unsigned int body) const
   {
     const bool on_matrix = body > 2 * scene.fibers.tows.size();
-    return (border(body) < 2) != on_matrix;
+    return (border(body) < 2) != on_matrix ? Direction::warp : Direction::fill;
   }
 
 
@@ -92,14 +92,16 @@ namespace fiberloom
     Past past{state.q, state.placements, state.load - guess_step};
     for (const auto &line : scene.mesh.lines())
       {
-        const bool along_x =
-          scene.fibers.tows[line.tow].family == Tow::Family::warp;
+        const Direction along =
+          scene.fibers.tows[line.tow].family == Tow::Family::warp ?
+            Direction::warp :
+            Direction::fill;
         for (unsigned int n = line.first_node;
              n < line.first_node + line.n_nodes();
              ++n)
           {
             const Vector3 began = start.segment<3>(9 * n);
-            const Vector3 spins = step * spin(began, along_x);
+            const Vector3 spins = step * spin(began, along);
             const Matrix3 turn =
               Eigen::AngleAxisd(spins.norm(), spins.stableNormalized())
                 .toRotationMatrix() -
@@ -124,7 +126,7 @@ namespace fiberloom
       {
         const Vector3 began     = state.stage_start_placements[b].position;
         Placement    &placement = past.placements[b];
-        placement.turn -= part * step * spin(began, runs_along_x(b));
+        placement.turn -= part * step * spin(began, runs_along(b));
         placement.position -= has_gone(began);
       }
     return past;

@@ -174,7 +174,7 @@ namespace fiberloom
 
 
   Vector3
-  Bend::spin(const Vector3 &start, const bool) const
+  Bend::spin(const Vector3 &start, const Direction) const
   {
     return start[axis] / length * turning_axis(axis);
   }

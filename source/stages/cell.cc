@@ -108,7 +108,7 @@ namespace fiberloom
     Supports
     supports(const Scene         &scene,
              const std::bitset<3> free,
-             const bool           holds_spacing,
+             const Spacing        spacing,
              const unsigned int   plies_held)
     {
       Supports supports;
@@ -136,7 +136,8 @@ namespace fiberloom
               attachment.held[0] = attachment.held[1] = f == first;
               attachment.held[2] = !joined[f] || f == first;
             }
-          else if (holds_spacing && f == tow.fibers[tow.fibers.size() / 2])
+          else if (spacing == Spacing::held &&
+                   f == tow.fibers[tow.fibers.size() / 2])
             attachment.held.set(0);
           if (scene.composite == nullptr && tow.ply == n_held &&
               n_held < plies_held)

@@ -181,7 +181,7 @@ namespace fiberloom
   Compact::supports(const DofVector &) const
   {
     // What lies on the lowest ply is held by contact.
-    Supports  supports = Cell::supports(scene, 0, false, 1);
+    Supports  supports = Cell::supports(scene, 0, Cell::Spacing::free, 1);
     RigidBody body;
     body.name = "plates";
     body.prescribed.reset(2);

@@ -16,9 +16,9 @@ namespace fiberloom
   {
     /** Of a border or what runs along it; half the angle towards the other. */
     double
-    half_turn(const bool along_x)
+    half_turn(const Direction along)
     {
-      return along_x ? .5 : -.5;
+      return along == Direction::warp ? .5 : -.5;
     }
 
     /** Of a shear @p angle [rad] and what it takes, [N] and [N mm]. */
@@ -89,9 +89,9 @@ namespace fiberloom
       return Cell::sheared(scene, start[body], angle);
     Placement moved = start[body];
     moved.position  = place(start, start[body].position, angle);
-    moved.rotation  = Eigen::AngleAxisd(angle * half_turn(runs_along_x(body)),
-                                       Vector3::UnitZ()) *
-                     start[body].rotation;
+    moved.rotation =
+      Eigen::AngleAxisd(angle * half_turn(runs_along(body)), Vector3::UnitZ()) *
+      start[body].rotation;
     return moved;
   }
 
@@ -117,9 +117,9 @@ namespace fiberloom
 
 
   Vector3
-  Shear::spin(const Vector3 &, const bool along_x) const
+  Shear::spin(const Vector3 &, const Direction along) const
   {
-    return half_turn(along_x) * Vector3::UnitZ();
+    return half_turn(along) * Vector3::UnitZ();
   }
 
 
@@ -141,7 +141,7 @@ namespace fiberloom
           const Vector3 from = state.stage_start_placements[b].position;
           moment += .5 * (reactions[b][0] * (c * from.y() - s * from.x()) +
                           reactions[b][1] * (c * from.x() - s * from.y())) +
-                    half_turn(runs_along_x(b)) * reactions[b][5];
+                    half_turn(runs_along(b)) * reactions[b][5];
           left  = std::min(left, from.x());
           right = std::max(right, from.x());
         }

@@ -63,7 +63,10 @@ namespace fiberloom
              const MatrixBorders::Grip grip)
     {
       if (scene.fibers.cell)
-        return Cell::supports(scene, free.to_ulong(), free.all());
+        return Cell::supports(scene,
+                              free.to_ulong(),
+                              free.all() ? Cell::Spacing::held :
+                                           Cell::Spacing::free);
       const auto &tows = scene.fibers.tows;
       Supports    supports;
       for (const Tow &tow : tows)

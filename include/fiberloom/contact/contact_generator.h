@@ -160,17 +160,14 @@ namespace fiberloom
                         ContactState                &state,
                         std::vector<ContactElement> &contacts);
 
-    /** Of a new zone [N/mm^2]. */
+    /** Of @p zone if it is new [N/mm^2]. */
     double
-    initial_stiffness(const std::array<unsigned int, 2> &pair,
-                      const bool                         crossing) const;
+    initial_stiffness(const ContactZone &zone) const;
 
-    /** A zone with what it inherits, its range and class given. */
+    /** A zone with what it inherits; it is found as @p zone , with fibers,
+     * range and the class that it has if it is new. */
     ContactZone
-    successor(const std::array<unsigned int, 2>          &pair,
-              const std::array<std::array<double, 2>, 2> &range,
-              const ContactState                         &before,
-              const bool crossing_if_new) const;
+    successor(ContactZone zone, const ContactState &before) const;
 
     /** Where the plane across the intermediate geometry at @p u of the first
      * fiber cuts the second one. */

@@ -27,10 +27,16 @@ namespace fiberloom
     Eigen::Vector3d particle; // weights of c, r g1, r g2 in its place
     Eigen::Vector2d origin;   // its place in the plane without slip [mm]
 
-    /** Takes the lowest particle of @p section , or the highest one of a
-     * section that is @p below its plate. */
+    /** Of the particles of a section, the one that touches a plate. */
+    enum class Extreme
+    {
+      lowest,
+      highest
+    };
+
+    /** Takes this one of @p section . */
     void
-    place_particle(const Section &section, const bool below);
+    place_particle(const Section &section, const Extreme extreme);
 
     /** Of the particle in the plane [mm]. */
     Eigen::Vector2d

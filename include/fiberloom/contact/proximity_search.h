@@ -30,12 +30,19 @@ namespace fiberloom
   class ProximitySearch
   {
   public:
+    /** Which pieces are pairs. */
+    enum class Pairs
+    {
+      of_two_fibers,
+      of_one_too // with themselves
+    };
+
     /** @p margin and @p skin in mm; @p images says which pairs count where @p
      * mesh are the images of a cell's fibers. */
     ProximitySearch(const FiberMesh   &mesh,
                     const double       margin,
                     const double       skin,
-                    const bool         self_contact,
+                    const Pairs        pairs,
                     const FiberImages *images = nullptr);
 
     /** False where no two pieces could ever be a pair: then nothing is
@@ -43,12 +50,12 @@ namespace fiberloom
     bool
     is_needed() const
     {
-      return self_contact || mesh.lines().size() > 1;
+      return pairs == Pairs::of_one_too || mesh.lines().size() > 1;
     }
 
     /**
      * Candidates at placement @p q : all pairs closer than the margin, and
-     * some that are not; sorted. With self-contact, pieces of one fiber count
+     * some that are not; sorted. Pieces of one fiber count, if they do at all,
      * when they are further apart along it than its circumference.
      */
     const std::vector<CandidatePair> &
@@ -94,7 +101,7 @@ namespace fiberloom
     const FiberMesh           &mesh;
     const double               margin;
     const double               skin;
-    const bool                 self_contact;
+    const Pairs                pairs;
     const FiberImages         *images; // or null
     unsigned int               searches = 0;
     DofVector                  searched_at;

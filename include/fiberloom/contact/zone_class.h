@@ -27,9 +27,13 @@ namespace fiberloom
     bool
     crosses() const;
 
-    /** Of one whose predecessor was @p crossing . */
+    /** Of one in which they crossed before. */
     bool
-    crosses_still(const bool crossing) const;
+    crosses_still() const;
+
+    /** Of one in which they lay along each other before. */
+    bool
+    crosses_now() const;
 
     Vector3 t1, t2; // tangents where the fibers are closest
 

@@ -21,6 +21,13 @@ namespace fiberloom
     std::string_view text;   // of the element itself
   };
 
+  /** How bytes are coded as text. */
+  enum class ByteCode
+  {
+    none,
+    base64
+  };
+
   /** How numbers that are not text stand in a file of VTK. */
   struct VtkEncoding
   {
@@ -28,7 +35,7 @@ namespace fiberloom
     bool             wide_header = false; // sizes have 64 bits
     std::string      compressor;          // name of VTK's class; empty: none
     std::string_view appended;            // data behind the elements
-    bool             appended_as_text = false; // in base64
+    ByteCode         appended_code = ByteCode::none;
   };
 
   /**

@@ -6,6 +6,8 @@
 
 #include <fiberloom/beams/fiber_mesh.h>
 
+#include <fiberloom/matrix/woven_surface.h>
+
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/vector.hpp>
 
@@ -104,13 +106,13 @@ namespace fiberloom
 
   /**
    * Smooths the heights of one face, at @p k_face , of a block with bad corners
-   * until there are none; the vertices between follow. With @p is_periodic
-   * opposite borders stay alike. Whether that succeeds.
+   * until there are none; the vertices between follow. Opposite borders
+   * that are periodic stay alike. Whether that succeeds.
    */
   bool
   repair(LayerBlock        &block,
          const unsigned int k_face,
-         const bool         is_periodic = false);
+         const Borders      borders = Borders::open);
 } // namespace fiberloom
 
 #endif

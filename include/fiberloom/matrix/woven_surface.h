@@ -16,6 +16,20 @@ namespace fiberloom
     upper
   };
 
+  /** Of the fabric. */
+  enum class Borders
+  {
+    open,
+    periodic // those of a cell
+  };
+
+  /** Whether @p mesh is that of a cell with its images. */
+  inline Borders
+  borders_of(const FiberMesh &mesh)
+  {
+    return mesh.originals().empty() ? Borders::open : Borders::periodic;
+  }
+
   /** The highest or lowest material point of a section's skin, as components
    * along r g1 and r g2 on the unit circle. */
   std::array<double, 2>

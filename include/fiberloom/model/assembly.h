@@ -201,7 +201,11 @@ namespace fiberloom
       for (unsigned int a = 0; a < n_nodes; ++a)
         for (unsigned int b = 0; b < n_nodes; ++b)
           transformed.set_stiffness(a, b, group.stiffness(a, b));
-    transformed.transform(state->q, state->placements, adds_tangent);
+    transformed.transform(state->q,
+                          state->placements,
+                          adds_tangent ?
+                            HeldGroup::Parts::forces_and_stiffness :
+                            HeldGroup::Parts::forces);
 
     for (unsigned int a = 0; a < transformed.n_blocks(); ++a)
       {

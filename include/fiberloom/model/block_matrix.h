@@ -81,11 +81,18 @@ namespace fiberloom
     void
     remove_outer_products();
 
-    /** Whether products have these parts. */
+    /** From here on products have these parts. */
     void
-    use_outer_products(const bool used)
+    use_outer_products()
     {
-      outer_products_used = used;
+      outer_products_used = true;
+    }
+
+    /** From here on they do not, as at first. */
+    void
+    leave_out_outer_products()
+    {
+      outer_products_used = false;
     }
 
     /** Where the block (row, column) is stored, row by row; the row is owned.

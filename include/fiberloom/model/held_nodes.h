@@ -55,6 +55,13 @@ namespace fiberloom
   class HeldGroup
   {
   public:
+    /** What is transformed. */
+    enum class Parts
+    {
+      forces,
+      forces_and_stiffness
+    };
+
     /** @p images : what each node is the image of; empty where @p nodes are
      * originals. */
     HeldGroup(const dealii::ArrayView<const unsigned int> &nodes,
@@ -82,7 +89,7 @@ namespace fiberloom
     void
     transform(const DofVector              &q,
               const std::vector<Placement> &placements,
-              const bool                    with_tangent);
+              const Parts                   parts);
 
     unsigned int
     n_blocks() const
@@ -131,13 +138,13 @@ namespace fiberloom
     transform_node(const unsigned int            a,
                    const DofVector              &q,
                    const std::vector<Placement> &placements,
-                   const bool                    with_tangent,
+                   const Parts                   parts,
                    Eigen::MatrixXd              &geometric);
 
     /** Of the node @p a that goes with the cell. */
     template <int n_dofs>
     void
-    transform_carried(const unsigned int a, const bool with_tangent);
+    transform_carried(const unsigned int a, const Parts parts);
 
     /** Of a node with these changes of its dofs by its unknowns, which replace
      * them, and by those of its body. */
@@ -146,7 +153,7 @@ namespace fiberloom
     apply(const unsigned int                           a,
           const Eigen::Matrix<double, n_dofs, n_dofs> &basis,
           const Eigen::Matrix<double, n_dofs, 6>      &motion,
-          const bool                                   with_tangent);
+          const Parts                                  parts);
 
     const unsigned int                  n_nodes;
     const Supports                     &supports;

@@ -52,14 +52,24 @@ namespace fiberloom
     text(const Point       &position,
          const std::string &content,
          const double       size,
-         const Anchor       anchor  = Anchor::start,
-         const bool         upright = false);
+         const Anchor       anchor = Anchor::start);
+
+    /** Read from below. */
+    void
+    upright_text(const Point       &position,
+                 const std::string &content,
+                 const double       size,
+                 const Anchor       anchor = Anchor::start);
 
     /** The whole file. */
     std::string
     str() const;
 
   private:
+    /** Without the end of its tag. */
+    void
+    begin_text(const Point &position, const double size, const Anchor anchor);
+
     void
     path(const std::vector<Point> &points);
 

@@ -14,19 +14,26 @@
 
 namespace fiberloom
 {
+  /** The eight around a periodic cell in its picture. */
+  enum class Neighbors
+  {
+    hidden,
+    shown
+  };
+
   /**
    * The whole sample seen from above at an angle, every fiber with its
    * deformed sections in the colour of its tow; content of a PNG file. Needs
    * no display. Of a matrix, unless @p composite is null, all cells are seen
-   * but those above the middle plane in the front half. Of a periodic cell
-   * @p with_neighbors shows the eight around it, too, in lighter colours.
+   * but those above the middle plane in the front half. Neighbors have
+   * lighter colours.
    */
   std::string
   weave_picture(const FiberSet  &fibers,
                 const FiberMesh &mesh,
                 const DofVector &q,
-                const Composite *composite      = nullptr,
-                const bool       with_neighbors = false);
+                const Composite *composite = nullptr,
+                const Neighbors  neighbors = Neighbors::hidden);
 } // namespace fiberloom
 
 #endif

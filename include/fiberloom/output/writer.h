@@ -66,13 +66,13 @@ namespace fiberloom
     continue_from(const Checkpoint &checkpoint);
 
     /**
-     * Writes parameters.prm, tables and summary.json as they are so far,
-     * @p converged if no stage is left. A new run first gives the checkpoint
+     * Writes parameters.prm, tables and summary.json as they are so far; the
+     * run is at @p state . A new run first gives the checkpoint
      * that it finds another name, so that nobody takes it for its own. To be
      * called once, before the first stage.
      */
     void
-    begin(const bool converged);
+    begin(const State &state);
 
     /**
      * Shows the state in which a stage starts: slices, and fields unless they
@@ -123,9 +123,10 @@ namespace fiberloom
     void
     record(const unsigned int stage, const StageStatistics &entry);
 
-    /** Writes summary.json with the statistics of the stages seen so far. */
+    /** Writes summary.json with the statistics of the stages seen so far, of a
+     * run that ends before its last stage does. */
     void
-    write_summary(const bool converged);
+    write_summary();
 
     /**
      * Writes report.html on the run so far, of the scene in the file @p scene ,
@@ -149,6 +150,11 @@ namespace fiberloom
     }
 
   private:
+    /** Writes summary.json; the run has converged if no stage is left at @p
+     * state . */
+    void
+    write_summary_at(const State &state);
+
     /** For summary.json. */
     void
     count(const Composite *composite);

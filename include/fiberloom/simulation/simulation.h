@@ -89,11 +89,11 @@ namespace fiberloom
 
     /**
      * What the scene asks for and the run that wrote the restart file did not:
-     * notes for the log. Throws InputError if no stage is left to do it, as
-     * @p nothing_left says.
+     * notes for the log. Throws InputError if @p state leaves no stage to do
+     * it.
      */
     std::vector<std::string>
-    compare_with_restarted(const bool nothing_left) const;
+    compare_with_restarted(const State &state) const;
 
     /** Opens log and files; what they say of the run so far. */
     void

@@ -132,10 +132,13 @@ namespace fiberloom
     std::string
     unbalanced(const State &state) const;
 
-    /** What may help where increments fail, for the message; @p passed :
-     * whether fibers would have passed through each other in one. */
+    /** What may help where increments fail, for the message. */
     std::string
-    advice(const bool passed) const;
+    advice() const;
+
+    /** The same where fibers would have passed through each other in one. */
+    static std::string
+    advice_on_passage();
 
     void
     accept(State &state, State &&found, const double load);

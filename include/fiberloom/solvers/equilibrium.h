@@ -166,11 +166,18 @@ namespace fiberloom
       failed
     };
 
+    /** How far a Newton step goes, where nothing else shortens it. */
+    enum class StepLength
+    {
+      whole,
+      by_energy
+    };
+
     Step
-    newton_step(State         &state,
-                const Problem &problem,
-                const double   damping,
-                const bool     search_line);
+    newton_step(State           &state,
+                const Problem   &problem,
+                const double     damping,
+                const StepLength length);
 
     double
     search_along(const State           &state,

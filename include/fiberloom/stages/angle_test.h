@@ -4,6 +4,8 @@
 #ifndef fiberloom_stages_angle_test_h
 #define fiberloom_stages_angle_test_h
 
+#include <fiberloom/base/choices.h>
+
 #include <fiberloom/stages/tow_ends.h>
 
 #include <algorithm>
@@ -80,10 +82,10 @@ namespace fiberloom
     unsigned int
     border(const unsigned int body) const;
 
-    /** Whether what the body holds runs along x: a tow of warp, or the matrix
-     * on a border across y. */
-    bool
-    runs_along_x(const unsigned int body) const;
+    /** Along which tows runs what the body holds: a tow, or the matrix on a
+     * border beside them. */
+    Direction
+    runs_along(const unsigned int body) const;
 
     /** Where body number @p body is when the angle has grown to @p angle ; at
      * the start of the stage all were at @p start . */
@@ -99,10 +101,10 @@ namespace fiberloom
           const Vector3                &start,
           const double                  angle) const = 0;
 
-    /** How what runs along x or, if not @p along_x , along y turns with the
-     * angle where it was at @p start . */
+    /** How what runs @p along these tows turns with the angle where it was at
+     * @p start . */
     virtual Vector3
-    spin(const Vector3 &start, const bool along_x) const = 0;
+    spin(const Vector3 &start, const Direction along) const = 0;
 
     /** At @p load [rad]. */
     double

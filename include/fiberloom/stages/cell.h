@@ -21,16 +21,22 @@ namespace fiberloom
   {
     constexpr unsigned int body = 0;
 
+    /** Whether the middle fiber of each tow keeps its place across the tow,
+     * where no friction does so. */
+    enum class Spacing
+    {
+      free,
+      held
+    };
+
     /** @p free : elongations along warp and fill and the shear whose mean
-     * stress is given. @p holds_spacing : whether the middle fiber of each tow
-     * keeps its place across the tow, where no friction does so.
-     * @p plies_held : of how many plies, from the lowest on, one node keeps its
-     * height. */
+     * stress is given. @p plies_held : of how many plies, from the lowest on,
+     * one node keeps its height. */
     Supports
     supports(
       const Scene         &scene,
       const std::bitset<3> free,
-      const bool           holds_spacing = false,
+      const Spacing        spacing  = Spacing::free,
       const unsigned int plies_held = std::numeric_limits<unsigned int>::max());
 
     /** Undeformed where @p state has no cell yet. */

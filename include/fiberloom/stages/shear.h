@@ -62,7 +62,7 @@ namespace fiberloom
           const double                  angle) const override;
 
     Vector3
-    spin(const Vector3 &start, const bool along_x) const override;
+    spin(const Vector3 &start, const Direction along) const override;
 
   private:
     /** Of a cell, whose bars are its periods. */
