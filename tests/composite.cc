@@ -59,7 +59,7 @@ namespace
     {
       state.matrix.layers = build_layers(parameters, mesh, mesh.reference());
       state.matrix.degree = parameters.degree;
-      state.matrix.law    = name_of(parameters.law);
+      state.matrix.law    = parameters.law;
       state.matrix.young_modulus = parameters.young_modulus;
       state.matrix.poisson_ratio = parameters.poisson_ratio;
       const Composite bare(state.matrix, mesh);
@@ -73,8 +73,8 @@ namespace
 
       supports.bodies.resize(2);
       supports.bodies[0].prescribed.reset();
-      hold("x start", 0, 7);
-      hold("x end", 1, 5);
+      hold(MatrixBorder::x_start, 0, 7);
+      hold(MatrixBorder::x_end, 1, 5);
       supports.attachments.push_back(
         attach(state.q, mesh.lines()[1].first_node, 0, Hold::clamped));
       state.placements.resize(2);
@@ -132,10 +132,9 @@ namespace
 
   private:
     void
-    hold(const std::string &border, const unsigned int body, const int held)
+    hold(const MatrixBorder border, const unsigned int body, const int held)
     {
-      for (const unsigned int node :
-           composite->matrix().border_nodes(*MatrixBorder::find(border)))
+      for (const unsigned int node : composite->matrix().border_nodes(border))
         {
           Attachment attachment;
           attachment.node = composite->first_node() + node;

@@ -86,10 +86,10 @@ namespace
                  n_layer_nodes(parameters(Layers::both)));
     checks.equal("cells", mesh.n_cells(), 96);
     checks.equal("nodes on x start",
-                 mesh.border_nodes(*MatrixBorder::find("x start")).size(),
+                 mesh.border_nodes(MatrixBorder::x_start).size(),
                  50);
     checks.equal("nodes on top",
-                 mesh.border_nodes(*MatrixBorder::find("top")).size(),
+                 mesh.border_nodes(MatrixBorder::top).size(),
                  125);
     const MatrixMesh upper_mesh(build_layers(parameters(Layers::upper),
                                              fibers,
@@ -97,7 +97,7 @@ namespace
                                 1,
                                 law);
     checks.equal("nodes on the bottom of an upper layer",
-                 upper_mesh.border_nodes(*MatrixBorder::find("bottom")).size(),
+                 upper_mesh.border_nodes(MatrixBorder::bottom).size(),
                  0);
   }
 

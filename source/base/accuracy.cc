@@ -31,6 +31,28 @@ namespace fiberloom
                                        {fine, {10, 32, .01, 4, 3e-5}},
                                        {.2, {12, 48, .005, 4, 1e-5}}}};
 
+    std::optional<double>
+    error_in_percent(const std::string &accuracy)
+    {
+      if (accuracy == "preview" || accuracy == "draft")
+        return draft;
+      if (accuracy == "standard")
+        return standard;
+      if (accuracy == "fine")
+        return fine;
+      if (accuracy.empty() || accuracy.back() != '%')
+        return {};
+      const std::string text =
+        dealii::Utilities::trim(accuracy.substr(0, accuracy.size() - 1));
+      const char *const end = text.data() + text.size();
+      double            percent;
+      const auto        read = std::from_chars(text.data(), end, percent);
+      if (read.ec != std::errc() || read.ptr != end ||
+          !(percent >= table.back().percent && percent <= loosest))
+        return {};
+      return percent;
+    }
+
     double
     between(const double a, const double b, const double fraction)
     {
@@ -41,27 +63,19 @@ namespace fiberloom
   const std::string allowed_accuracies =
     "preview, draft, standard, fine, or an error from 0.2 % to 20 %, such as 2 %";
 
-  std::optional<double>
-  error_in_percent(const std::string &accuracy)
-  {
-    if (accuracy == "draft")
-      return draft;
-    if (accuracy == "standard")
-      return standard;
-    if (accuracy == "fine")
-      return fine;
-    if (accuracy.empty() || accuracy.back() != '%')
-      return {};
-    const std::string text =
-      dealii::Utilities::trim(accuracy.substr(0, accuracy.size() - 1));
-    const char *const end = text.data() + text.size();
-    double            percent;
-    const auto        read = std::from_chars(text.data(), end, percent);
-    if (read.ec != std::errc() || read.ptr != end ||
-        !(percent >= table.back().percent && percent <= loosest))
-      return {};
-    return percent;
-  }
+  Accuracy::Accuracy()
+    : Accuracy("standard")
+  {}
+
+
+
+  Accuracy::Accuracy(const std::string &text)
+    : GivenText(text)
+    , preview(text == "preview")
+    , error(error_in_percent(text))
+  {}
+
+
 
   AccuracySettings
   settings_for(const double percent)

@@ -16,8 +16,6 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
-#include <set>
-#include <sstream>
 
 namespace fiberloom
 {
@@ -186,44 +184,25 @@ namespace fiberloom
                                  "allowed: functions without jumps");
     }
 
-    std::set<std::string>
-    check_free(const std::string &free, const std::string &where)
+    /** That all names are those of choices; a wrong one @p is_wrong , in
+     * words. */
+    template <class Choice>
+    void
+    check_names(const NamedSet<Choice> &names,
+                const std::string      &is_wrong,
+                const std::string      &where)
     {
-      static const std::set<std::string> names = {
-        "x", "y", "z", "rx", "ry", "rz"};
-      std::istringstream    in(free);
-      std::set<std::string> found;
-      for (std::string name; in >> name;)
-        {
-          if (names.count(name) == 0)
-            throw InputError(where + ": " + name +
-                             " is no degree of freedom; allowed: x, y, z, rx, "
-                             "ry, rz with blanks between");
-          found.insert(name);
-        }
-      return found;
+      if (names.unknown_name())
+        throw InputError(where + ": " + *names.unknown_name() + " " + is_wrong +
+                         "; allowed: " + all_names<Choice>(", ") +
+                         " with blanks between");
     }
 
     void
-    check_held(const std::string &held, const std::string &where)
+    check_center(const GivenPoint &center, const std::string &where)
     {
-      std::istringstream in(held);
-      for (std::string word; in >> word;)
-        if (word != "x" && word != "y" && word != "z" && word != "spin" &&
-            word != "tilt" && word != "radial")
-          throw InputError(where + ": " + word +
-                           " cannot be held; allowed: x, y, z, spin, tilt, "
-                           "radial with blanks between");
-    }
-
-    void
-    check_center(const std::string &center, const std::string &where)
-    {
-      std::istringstream in(center);
-      double             x, y, z;
-      std::string        more;
-      if (!center.empty() && (!(in >> x >> y >> z) || in >> more))
-        throw InputError(where + " = " + center +
+      if (center.is_wrong())
+        throw InputError(where + " = " + center.text() +
                          " is no point; allowed: three numbers x y z with "
                          "blanks between");
     }
@@ -231,27 +210,19 @@ namespace fiberloom
     void
     check_borders(const DriveParameters &drive, const Parameters &parameters)
     {
-      const std::string     section = "Drive " + drive.name + "/";
-      std::set<std::string> names   = {
-          "x start", "x end", "y start", "y end", "bottom", "top"};
-      for (const std::string &name :
-           dealii::Utilities::split_string_list(drive.matrix_borders, ','))
-        if (names.count(name) == 0)
-          throw InputError(parameters.where(section + "Matrix borders") +
-                           ": there is no border " + name +
-                           "; allowed: x start, x end, y start, y end, bottom, "
-                           "top with commas between");
+      const std::string section = "Drive " + drive.name + "/";
+      if (const auto &name = drive.matrix_borders.unknown_name())
+        throw InputError(parameters.where(section + "Matrix borders") +
+                         ": there is no border " + *name +
+                         "; allowed: " + all_names<MatrixBorder>(", ") +
+                         " with commas between");
       if (!drive.matrix_borders.empty() && !parameters.has_matrix())
         throw InputError(parameters.where(section + "Matrix borders") +
                          ": the scene has no matrix; allowed: another "
                          "Matrix/Layers than none");
-      std::istringstream held(drive.matrix_held);
-      for (std::string word; held >> word;)
-        if (word != "x" && word != "y" && word != "z")
-          throw InputError(parameters.where(section + "Matrix held") + ": " +
-                           word +
-                           " cannot be held; allowed: x, y, z with blanks "
-                           "between");
+      check_names(drive.matrix_held,
+                  "cannot be held",
+                  parameters.where(section + "Matrix held"));
     }
 
     void
@@ -282,23 +253,28 @@ namespace fiberloom
         throw InputError(parameters.where(section + "Ends") +
                          ": no end is named; allowed: a list such as 0 start, "
                          "3-5 end, all at 0.5");
-      check_held(drive.held, parameters.where(section + "Held"));
+      check_names(drive.held,
+                  "cannot be held",
+                  parameters.where(section + "Held"));
       check_center(drive.center, parameters.where(section + "Center"));
-      const std::set<std::string> free =
-        check_free(drive.free, parameters.where(section + "Free"));
+      check_names(drive.free,
+                  "is no degree of freedom",
+                  parameters.where(section + "Free"));
 
       struct Quantity
       {
-        std::string        name;
-        const std::string &functions;
-        std::string        prefix;
-        bool               acts_on_free;
+        std::string            name;
+        const std::string     &functions;
+        std::array<BodyDof, 3> dofs;
+        bool                   acts_on_free;
       };
+      const std::array<BodyDof, 3> along{{BodyDof::x, BodyDof::y, BodyDof::z}},
+        about{{BodyDof::rx, BodyDof::ry, BodyDof::rz}};
       for (const Quantity &quantity :
-           {Quantity{"Translation", drive.translation, "", false},
-            Quantity{"Rotation", drive.rotation, "r", false},
-            Quantity{"Force", drive.force, "", true},
-            Quantity{"Moment", drive.moment, "r", true}})
+           {Quantity{"Translation", drive.translation, along, false},
+            Quantity{"Rotation", drive.rotation, about, false},
+            Quantity{"Force", drive.force, along, true},
+            Quantity{"Moment", drive.moment, about, true}})
         {
           const std::string where = parameters.where(section + quantity.name);
           const VectorFunction function =
@@ -307,10 +283,10 @@ namespace fiberloom
             nonzero_components(function, parameters.load.end);
           for (unsigned int i = 0; i < 3; ++i)
             {
-              const std::string dof     = quantity.prefix + "xyz"[i];
-              const bool        is_free = free.count(dof) > 0;
+              const BodyDof dof     = quantity.dofs[i];
+              const bool    is_free = drive.free.has(dof);
               if (given[i] && is_free != quantity.acts_on_free)
-                throw InputError(where + ": " + dof + " is " +
+                throw InputError(where + ": " + name_of(dof) + " is " +
                                  (is_free ? "" : "not ") +
                                  "free; allowed: 0 as function number " +
                                  std::to_string(i + 1) + ", or another entry " +
@@ -458,12 +434,10 @@ namespace fiberloom
   {
     if (is_preview())
       resolve_preview();
-    const std::optional<double> percent =
-      error_in_percent(is_preview() ? "draft" : accuracy);
-    if (!percent)
-      throw InputError(where("Accuracy") + " = " + accuracy +
+    if (!accuracy.percent())
+      throw InputError(where("Accuracy") + " = " + accuracy.text() +
                        " is not allowed; allowed: " + allowed_accuracies);
-    const AccuracySettings settings = settings_for(*percent);
+    const AccuracySettings settings = settings_for(*accuracy.percent());
     resolve_tows(fabric.warp, fabric.fill, settings.elements_per_crossing);
     resolve_tows(fabric.fill, fabric.warp, settings.elements_per_crossing);
     if (fibers.elements_per_fiber == 0)

@@ -45,24 +45,25 @@ namespace fiberloom
         "direction of the axis; radial, only its tilt towards or away from "
         "the body's reference point. Empty: as Hold "
         "says.",
-        Allowed::text_like("any of x y z spin tilt radial with blanks "
-                           "between"));
+        Allowed::text_like("any of " + all_names<PointHold>(" ") +
+                           " with blanks between"));
       catalogue.add("Free",
                     drive.free,
                     "Degrees of freedom of the body that are not prescribed; "
                     "rx is the rotation about x.",
-                    Allowed::text_like("any of x y z rx ry rz with blanks "
-                                       "between"));
+                    Allowed::text_like("any of " + all_names<BodyDof>(" ") +
+                                       " with blanks between"));
       catalogue.add("Matrix borders",
                     drive.matrix_borders,
-                    "Borders of the matrix that the body holds, with commas: x "
-                    "start, x end, y start, y end, bottom, top.",
+                    "Borders of the matrix that the body holds, with commas: " +
+                      all_names<MatrixBorder>(", ") + ".",
                     Allowed::text_like("such as x start, top"));
       catalogue.add("Matrix held",
                     drive.matrix_held,
                     "Displacements that it holds there. An edge goes with "
                     "the first drive that has it.",
-                    Allowed::text_like("some of x y z with blanks between"));
+                    Allowed::text_like("some of " + all_names<Component>(" ") +
+                                       " with blanks between"));
       catalogue.add("Center",
                     drive.center,
                     "Reference point of the body at the start of the stage "

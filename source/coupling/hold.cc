@@ -8,7 +8,6 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <sstream>
 
 namespace fiberloom
 {
@@ -92,29 +91,25 @@ namespace fiberloom
 
 
   Attachment
-  attach(const DofVector   &q,
-         const unsigned int node,
-         const unsigned int body,
-         const std::string &held,
-         const Vector3     &center)
+  attach(const DofVector           &q,
+         const unsigned int         node,
+         const unsigned int         body,
+         const NamedSet<PointHold> &held,
+         const Vector3             &center)
   {
-    Attachment         attachment = attach_nothing(q, node, body);
-    bool               spin = false, tilt = false;
-    std::istringstream in(held);
-    for (std::string word; in >> word;)
-      if (word == "spin")
-        spin = true;
-      else if (word == "tilt")
-        tilt = true;
-      else if (word == "radial")
-        attachment.radial = radial_direction(attachment, q, center);
-      else
-        attachment.held.set(word[0] - 'x');
+    Attachment attachment = attach_nothing(q, node, body);
+    const bool spin       = held.has(PointHold::spin),
+               tilt       = held.has(PointHold::tilt);
+    attachment.held[0]    = held.has(PointHold::x);
+    attachment.held[1]    = held.has(PointHold::y);
+    attachment.held[2]    = held.has(PointHold::z);
+    if (held.has(PointHold::radial))
+      attachment.radial = radial_direction(attachment, q, center);
     if (spin)
       attachment.held.set(4);
     if (tilt)
       attachment.held.set(5).set(8);
-    else if (!attachment.radial.isZero(0))
+    else if (held.has(PointHold::radial))
       attachment.held.set(5);
     if (spin && tilt)
       attachment.held.set(6);

@@ -20,20 +20,6 @@
 
 namespace fiberloom
 {
-  std::optional<MatrixBorder>
-  MatrixBorder::find(const std::string &name)
-  {
-    const std::array<std::string, 6> names{
-      {"x start", "x end", "y start", "y end", "bottom", "top"}};
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-      return {};
-    const unsigned int i = found - names.begin();
-    return MatrixBorder{i / 2, i % 2};
-  }
-
-
-
   struct MatrixMesh::Mesh
   {
     explicit Mesh(const unsigned int degree)
@@ -72,9 +58,10 @@ namespace fiberloom
     set_up_elements();
     for (const unsigned int axis : {0, 1})
       {
-        const unsigned int start = border_nodes({axis, 0})[0];
+        const unsigned int start = border_nodes(border_across(axis, 0))[0];
         period_nodes[axis]       = {
-                {nearest_across(start, axis, border_nodes({axis, 1})), start}};
+                {nearest_across(start, axis, border_nodes(border_across(axis, 1))),
+                 start}};
       }
   }
 
@@ -185,12 +172,14 @@ namespace fiberloom
 
 
   std::vector<unsigned int>
-  MatrixMesh::border_nodes(const MatrixBorder &border) const
+  MatrixMesh::border_nodes(const MatrixBorder border) const
   {
-    if (border.axis == 2 && !has_flat_face[border.side])
+    const unsigned int axis = static_cast<unsigned int>(border) / 2,
+                       side = static_cast<unsigned int>(border) % 2;
+    if (axis == 2 && !has_flat_face[side])
       return {};
     const auto position = [&](const unsigned int node) {
-      return (border.side == 0 ? 1 : -1) * stress_free[3 * node + border.axis];
+      return (side == 0 ? 1 : -1) * stress_free[3 * node + axis];
     };
     double outermost = position(0);
     for (unsigned int n = 0; n < n_nodes(); ++n)
@@ -232,8 +221,9 @@ namespace fiberloom
       images.push_back({n, {{0, 0}}});
     for (const unsigned int axis : {0, 1})
       {
-        const std::vector<unsigned int> starts = border_nodes({axis, 0});
-        for (const unsigned int node : border_nodes({axis, 1}))
+        const std::vector<unsigned int> starts =
+          border_nodes(border_across(axis, 0));
+        for (const unsigned int node : border_nodes(border_across(axis, 1)))
           {
             // Along y, what is at the end of x is an image already.
             images[node] = images[nearest_across(node, axis, starts)];

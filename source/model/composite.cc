@@ -8,9 +8,7 @@ namespace fiberloom
   Composite::Composite(const MatrixState &state, const FiberMesh &fibers)
     : mesh(state.layers,
            state.degree,
-           HyperelasticLaw(choice_of<MatrixLaw>(state.law),
-                           state.young_modulus,
-                           state.poisson_ratio))
+           HyperelasticLaw(state.law, state.young_modulus, state.poisson_ratio))
     , n_fiber_nodes(fibers.n_nodes())
   {
     if (!fibers.originals().empty())

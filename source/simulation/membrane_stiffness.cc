@@ -68,14 +68,14 @@ namespace fiberloom
       return 0;
     const MatrixMesh &matrix    = scene.composite->matrix();
     const auto        positions = scene.composite->positions(state.q);
-    const auto        height    = [&](const unsigned int side) {
-      const std::vector<unsigned int> nodes = matrix.border_nodes({2, side});
-      double                          sum = 0;
+    const auto        height    = [&](const MatrixBorder border) {
+      const std::vector<unsigned int> nodes = matrix.border_nodes(border);
+      double                          sum   = 0;
       for (const unsigned int node : nodes)
         sum += positions[3 * node + 2];
       return sum / nodes.size();
     };
-    return height(1) - height(0);
+    return height(MatrixBorder::top) - height(MatrixBorder::bottom);
   }
 
 

@@ -87,7 +87,7 @@ namespace fiberloom
     MatrixState             matrix;
     matrix.layers        = build_layers(wanted, mesh, state.q);
     matrix.degree        = wanted.degree;
-    matrix.law           = name_of(wanted.law);
+    matrix.law           = wanted.law;
     matrix.young_modulus = wanted.young_modulus;
     matrix.poisson_ratio = wanted.poisson_ratio;
 
@@ -164,7 +164,7 @@ namespace fiberloom
     demand("Degree",
            wanted.degree == matrix.degree,
            std::to_string(matrix.degree));
-    demand("Law", name_of(wanted.law) == matrix.law, matrix.law);
+    demand("Law", wanted.law == matrix.law, name_of(matrix.law));
     demand("Young modulus",
            wanted.young_modulus == matrix.young_modulus,
            exact_text(matrix.young_modulus));

@@ -13,21 +13,15 @@
 #include <fiberloom/stages/matrix_borders.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
-#include <sstream>
 
 namespace fiberloom
 {
   namespace
   {
-    const std::array<std::string, 6> dof_names{
-      {"x", "y", "z", "rx", "ry", "rz"}};
-
     Eigen::Quaterniond
     rotation_by(const Vector3 &vector)
     {
@@ -37,25 +31,10 @@ namespace fiberloom
                Eigen::Quaterniond::Identity();
     }
 
-    std::bitset<6>
-    prescribed_dofs(const DriveParameters &drive)
+    RigidBody
+    body_of(const DriveParameters &drive)
     {
-      std::bitset<6>     prescribed = std::bitset<6>().set();
-      std::istringstream text(drive.free);
-      for (std::string word; text >> word;)
-        prescribed.reset(std::find(dof_names.begin(), dof_names.end(), word) -
-                         dof_names.begin());
-      return prescribed;
-    }
-
-    std::bitset<3>
-    held_displacements(const std::string &words)
-    {
-      std::bitset<3>     held;
-      std::istringstream text(words);
-      for (char word; text >> word;)
-        held.set(word - 'x');
-      return held;
+      return {drive.name, ~drive.free.bits<6>()};
     }
 
     /** A unit vector along @p function where it is longest, or 0. */
@@ -82,7 +61,7 @@ namespace fiberloom
       for (unsigned int c = 0; c < 3; ++c)
         {
           row.emplace_back(column, value[c]);
-          row.back().first.name += dof_names[c];
+          row.back().first.name += name_of(static_cast<Component>(c));
         }
     }
   } // namespace
@@ -107,14 +86,7 @@ namespace fiberloom
     , rotation(parameters.rotation)
     , force(parameters.force)
     , moment(parameters.moment)
-  {
-    if (!parameters.center.empty())
-      {
-        std::istringstream text(parameters.center);
-        center.emplace();
-        text >> center->x() >> center->y() >> center->z();
-      }
-  }
+  {}
 
 
 
@@ -177,8 +149,8 @@ namespace fiberloom
   Vector3
   Load::reference_point(const Drive &drive, const DofVector &q) const
   {
-    if (drive.center)
-      return *drive.center;
+    if (const auto &center = drive.parameters.center.point())
+      return *center;
     Vector3 sum = Vector3::Zero();
     for (const unsigned int node : drive.nodes)
       sum += q.segment<3>(9 * node);
@@ -216,17 +188,14 @@ namespace fiberloom
   Load::matrix_nodes(const Drive &drive) const
   {
     std::set<unsigned int> nodes;
-    for (const std::string &name :
-         dealii::Utilities::split_string_list(drive.parameters.matrix_borders,
-                                              ','))
+    for (const MatrixBorder border : drive.parameters.matrix_borders.list())
       {
-        const auto found =
-          scene.composite->matrix().border_nodes(*MatrixBorder::find(name));
+        const auto found = scene.composite->matrix().border_nodes(border);
         if (found.empty())
           throw InputError(
             scene.parameters.where(drive.entry("Matrix borders")) + ": the " +
             name_of(scene.parameters.matrix.layers) +
-            " layers have no border " + name +
+            " layers have no border " + name_of(border) +
             "; allowed: x start, x end, y start, y end, and where a layer lies "
             "bottom, top");
         nodes.insert(found.begin(), found.end());
@@ -242,8 +211,7 @@ namespace fiberloom
     Supports supports;
     for (unsigned int d = 0; d < drives.size(); ++d)
       {
-        supports.bodies.push_back(
-          {drives[d].parameters.name, prescribed_dofs(drives[d].parameters)});
+        supports.bodies.push_back(body_of(drives[d].parameters));
         for (const Attachment &attachment : fiber_attachments(d, start))
           supports.attachments.push_back(attachment);
       }
@@ -253,11 +221,11 @@ namespace fiberloom
     for (unsigned int d = 0; d < drives.size(); ++d)
       for (const unsigned int node : matrix_nodes(drives[d]))
         if (held.insert(node).second)
-          supports.attachments.push_back(MatrixBorders::attach(
-            *scene.composite,
-            node,
-            d,
-            held_displacements(drives[d].parameters.matrix_held)));
+          supports.attachments.push_back(
+            MatrixBorders::attach(*scene.composite,
+                                  node,
+                                  d,
+                                  drives[d].parameters.matrix_held.bits<3>()));
     return supports;
   }
 
@@ -280,20 +248,19 @@ namespace fiberloom
         throw InputError(scene.parameters.where(drive.entry("Held")) + ": " +
                          error.what() + "; allowed: another Center, or tilt");
       }
-    const BodyVector idle =
-      idle_motion({drive.parameters.name, prescribed_dofs(drive.parameters)},
-                  held,
-                  q,
-                  reference_point(drive, q));
+    const BodyVector idle = idle_motion(body_of(drive.parameters),
+                                        held,
+                                        q,
+                                        reference_point(drive, q));
     if (idle.isZero(0))
       return;
-    BodyVector::Index dof;
-    idle.cwiseAbs().maxCoeff(&dof);
+    BodyVector::Index largest;
+    idle.cwiseAbs().maxCoeff(&largest);
+    const std::string &dof = name_of(static_cast<BodyDof>(largest));
     throw InputError(scene.parameters.where(drive.entry("Free")) +
                      ": nothing that the drive holds hinders its motion "
                      "along " +
-                     dof_names[dof] + "; allowed: leave " + dof_names[dof] +
-                     " out, or hold more");
+                     dof + "; allowed: leave " + dof + " out, or hold more");
   }
 
 

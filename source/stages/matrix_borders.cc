@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/base/choices.h>
+
 #include <fiberloom/stages/matrix_borders.h>
 
 #include <algorithm>
-#include <array>
 
 namespace fiberloom
 {
@@ -12,9 +13,6 @@ namespace fiberloom
   {
     namespace
     {
-      const std::array<const char *, n_bodies> border_names{
-        {"x start", "x end", "y start", "y end"}};
-
       /** The borders that each node of the matrix is on, a bit for each. */
       std::vector<unsigned int>
       borders(const MatrixMesh &matrix)
@@ -22,7 +20,7 @@ namespace fiberloom
         std::vector<unsigned int> borders(matrix.n_nodes(), 0);
         for (unsigned int b = 0; b < n_bodies; ++b)
           for (const unsigned int node :
-               matrix.border_nodes(*MatrixBorder::find(border_names[b])))
+               matrix.border_nodes(static_cast<MatrixBorder>(b)))
             borders[node] |= 1 << b;
         return borders;
       }
@@ -63,7 +61,7 @@ namespace fiberloom
         std::string name = "matrix";
         for (unsigned int b = 0; b < n_bodies; ++b)
           if (borders_of_body(body) >> b & 1)
-            name += "_" + std::string(border_names[b]);
+            name += "_" + name_of(static_cast<MatrixBorder>(b));
         std::replace(name.begin(), name.end(), ' ', '_');
         return name;
       }

@@ -4,6 +4,8 @@
 #ifndef fiberloom_base_accuracy_h
 #define fiberloom_base_accuracy_h
 
+#include <fiberloom/base/given_text.h>
+
 #include <optional>
 #include <string>
 
@@ -22,13 +24,33 @@ namespace fiberloom
   /** What the entry Accuracy may be, in words. */
   extern const std::string allowed_accuracies;
 
-  /**
-   * The error in per cent that @p accuracy asks for: "draft", "standard",
-   * "fine", or a number with the sign, such as "2 %". Nothing for another text
-   * or a number that is out of bounds.
-   */
-  std::optional<double>
-  error_in_percent(const std::string &accuracy);
+  /** The error of loading curves to aim at: "preview", "draft", "standard",
+   * "fine", or a number with the sign, such as "2 %". */
+  class Accuracy : public GivenText
+  {
+  public:
+    Accuracy();
+
+    Accuracy(const std::string &text);
+
+    bool
+    is_preview() const
+    {
+      return preview;
+    }
+
+    /** Of a preview that of a draft; nothing for another text or a number that
+     * is out of bounds. */
+    const std::optional<double> &
+    percent() const
+    {
+      return error;
+    }
+
+  private:
+    bool                  preview;
+    std::optional<double> error;
+  };
 
   /**
    * The settings for an error between those of the table: by straight lines

@@ -7,6 +7,7 @@
 #include <fiberloom/base/exceptions.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,18 +34,40 @@ namespace fiberloom
       ->second;
   }
 
-  /** Throws InputError where there is none of this name. */
+  /** Nothing where there is none of this name. */
   template <class Choice>
-  Choice
-  choice_of(const std::string &name)
+  std::optional<Choice>
+  find_choice(const std::string &name)
   {
     const auto found =
       std::find_if(choices<Choice>.begin(),
                    choices<Choice>.end(),
                    [&name](const auto &known) { return known.second == name; });
     if (found == choices<Choice>.end())
-      throw InputError("there is no choice \"" + name + "\"");
+      return {};
     return found->first;
+  }
+
+  /** Throws InputError where there is none of this name. */
+  template <class Choice>
+  Choice
+  choice_of(const std::string &name)
+  {
+    const std::optional<Choice> found = find_choice<Choice>(name);
+    if (!found)
+      throw InputError("there is no choice \"" + name + "\"");
+    return *found;
+  }
+
+  /** All there are, with @p separator between. */
+  template <class Choice>
+  std::string
+  all_names(const std::string &separator)
+  {
+    std::string names;
+    for (const auto &known : choices<Choice>)
+      names += (names.empty() ? "" : separator) + known.second;
+    return names;
   }
 
   /** Of the axial force with the stretch. */
@@ -113,6 +136,79 @@ namespace fiberloom
   inline const Choices<Hold> choices<Hold> = {{Hold::clamped, "clamped"},
                                               {Hold::pinned, "pinned"},
                                               {Hold::center, "centers"}};
+
+  /** What a body can hold of a point of a fiber, one by one. */
+  enum class PointHold
+  {
+    x, // of the axis, along the axes of the sample
+    y,
+    z,
+    spin,  // of the section about the axis
+    tilt,  // the direction of the axis
+    radial // its tilt towards or away from the body's reference point
+  };
+
+  template <>
+  inline const Choices<PointHold> choices<PointHold> = {
+    {PointHold::x, "x"},
+    {PointHold::y, "y"},
+    {PointHold::z, "z"},
+    {PointHold::spin, "spin"},
+    {PointHold::tilt, "tilt"},
+    {PointHold::radial, "radial"}};
+
+  /** A degree of freedom of a rigid body, numbered as in a BodyVector. */
+  enum class BodyDof
+  {
+    x,
+    y,
+    z,
+    rx, // the rotation about x
+    ry,
+    rz
+  };
+
+  template <>
+  inline const Choices<BodyDof> choices<BodyDof> = {{BodyDof::x, "x"},
+                                                    {BodyDof::y, "y"},
+                                                    {BodyDof::z, "z"},
+                                                    {BodyDof::rx, "rx"},
+                                                    {BodyDof::ry, "ry"},
+                                                    {BodyDof::rz, "rz"}};
+
+  /** Of a displacement. */
+  enum class Component
+  {
+    x,
+    y,
+    z
+  };
+
+  template <>
+  inline const Choices<Component> choices<Component> = {{Component::x, "x"},
+                                                        {Component::y, "y"},
+                                                        {Component::z, "z"}};
+
+  /** A flat border of the layers of matrix: of each axis the start and the end.
+   */
+  enum class MatrixBorder
+  {
+    x_start,
+    x_end,
+    y_start,
+    y_end,
+    bottom,
+    top
+  };
+
+  template <>
+  inline const Choices<MatrixBorder> choices<MatrixBorder> = {
+    {MatrixBorder::x_start, "x start"},
+    {MatrixBorder::x_end, "x end"},
+    {MatrixBorder::y_start, "y start"},
+    {MatrixBorder::y_end, "y end"},
+    {MatrixBorder::bottom, "bottom"},
+    {MatrixBorder::top, "top"}};
 
   /** Whether a fiber can touch itself. */
   enum class SelfContact

@@ -5,6 +5,7 @@
 #define fiberloom_base_parameter_catalogue_h
 
 #include <fiberloom/base/choices.h>
+#include <fiberloom/base/given_text.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -197,6 +198,13 @@ namespace fiberloom
           for (const std::string &number :
                dealii::Utilities::split_string_list(value, ','))
             member.push_back(std::strtod(number.c_str(), nullptr));
+        });
+      }
+    else if constexpr (std::is_base_of<GivenText, T>::value)
+      {
+        prm.declare_entry(name, member.text(), *allowed.pattern, text);
+        prm.add_action(name, [&member](const std::string &value) {
+          member = T(value);
         });
       }
     else

@@ -4,7 +4,9 @@
 #ifndef fiberloom_base_parameters_h
 #define fiberloom_base_parameters_h
 
+#include <fiberloom/base/accuracy.h>
 #include <fiberloom/base/choices.h>
+#include <fiberloom/base/given_text.h>
 #include <fiberloom/base/stage_type.h>
 #include <fiberloom/base/strength_parameters.h>
 
@@ -125,16 +127,15 @@ namespace fiberloom
    */
   struct DriveParameters
   {
-    std::string name;
-    std::string ends; // "0 start, all end, 3 at 0.5"
-    Hold        hold = Hold::clamped;
-    std::string held; // "x y z spin tilt": instead of hold, in detail
-    std::string
-      free; // degrees of freedom of the body left free: "x y z rx ry rz"
-    std::string matrix_borders;        // "x start, top"
-    std::string matrix_held = "x y z"; // components held of their nodes
-    std::string center; // "x y z" of the reference point [mm], else the mean
-    std::string translation = "0; 0; 0"; // [mm] functions of t
+    std::string                 name;
+    std::string                 ends; // "0 start, all end, 3 at 0.5"
+    Hold                        hold = Hold::clamped;
+    NamedSet<PointHold>         held; // instead of hold, in detail
+    NamedSet<BodyDof>           free; // of the body
+    NamedSet<MatrixBorder, ','> matrix_borders;
+    NamedSet<Component>         matrix_held = "x y z"; // of the nodes of these
+    GivenPoint                  center; // of the body [mm], else the mean
+    std::string                 translation = "0; 0; 0"; // [mm] functions of t
     std::string rotation = "0; 0; 0"; // [rad] rotation vector, functions of t
     std::string force    = "0; 0; 0"; // [N] on free degrees of freedom
     std::string moment   = "0; 0; 0"; // [N mm] on free degrees of freedom
@@ -255,8 +256,8 @@ namespace fiberloom
 
     std::string              output_directory = "output";
     std::vector<std::string> stages           = {"weave", "relax", "biaxial"};
-    std::string accuracy          = "standard"; // preview | draft | ... | "2 %"
-    double      maximal_wall_time = 0;          // [s], 0: unlimited
+    Accuracy                 accuracy;
+    double                   maximal_wall_time = 0; // [s], 0: unlimited
 
     // "fibers" when section Fibers has a source, "fabric" otherwise
     FabricParameters             fabric;
@@ -287,7 +288,7 @@ namespace fiberloom
     bool
     is_preview() const
     {
-      return accuracy == "preview";
+      return accuracy.is_preview();
     }
 
     bool

@@ -5,10 +5,10 @@
 #define fiberloom_coupling_hold_h
 
 #include <fiberloom/base/choices.h>
+#include <fiberloom/base/given_text.h>
 
 #include <fiberloom/coupling/rigid_body.h>
 
-#include <string>
 #include <vector>
 
 namespace fiberloom
@@ -25,17 +25,17 @@ namespace fiberloom
          const Hold         hold);
 
   /**
-   * The same for what is held one by one, words of "x y z spin tilt radial":
-   * the centre along the axes of the sample, the spin about the fiber's axis,
-   * the direction of that axis, or only its tilt away from @p center . Throws
-   * InputError where the node has no radial direction.
+   * The same for what is held one by one: the centre along the axes of the
+   * sample, the spin about the fiber's axis, the direction of that axis, or
+   * only its tilt away from @p center . Throws InputError where the node has no
+   * radial direction.
    */
   Attachment
-  attach(const DofVector   &q,
-         const unsigned int node,
-         const unsigned int body,
-         const std::string &held,
-         const Vector3     &center);
+  attach(const DofVector           &q,
+         const unsigned int         node,
+         const unsigned int         body,
+         const NamedSet<PointHold> &held,
+         const Vector3             &center);
 
   /**
    * A motion of a body, translation and rotation, that leaves all it holds

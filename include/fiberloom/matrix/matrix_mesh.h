@@ -4,6 +4,8 @@
 #ifndef fiberloom_matrix_matrix_mesh_h
 #define fiberloom_matrix_matrix_mesh_h
 
+#include <fiberloom/base/choices.h>
+
 #include <fiberloom/fabric/fiber_images.h>
 
 #include <fiberloom/matrix/hex_element.h>
@@ -12,22 +14,16 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace fiberloom
 {
-  /** A flat border of the layers. */
-  struct MatrixBorder
+  /** That across @p axis , 0 to 2, at its start (side 0) or end (side 1). */
+  inline MatrixBorder
+  border_across(const unsigned int axis, const unsigned int side)
   {
-    unsigned int axis; // 0 to 2: x, y, z
-    unsigned int side; // 0: start or bottom, 1: end or top
-
-    /** Of "x start", "x end", "y start", "y end", "bottom", "top"; nothing for
-     * another name. */
-    static std::optional<MatrixBorder>
-    find(const std::string &name);
-  };
+    return static_cast<MatrixBorder>(2 * axis + side);
+  }
 
   /** Where in the matrix: a cell and coordinates in [0, 1]^3. */
   struct CellPoint
@@ -106,7 +102,7 @@ namespace fiberloom
 
     /** All nodes on @p border ; none where no layer reaches it. */
     std::vector<unsigned int>
-    border_nodes(const MatrixBorder &border) const;
+    border_nodes(const MatrixBorder border) const;
 
     /** What each node is the image of where the layers are those of a periodic
      * cell: nodes at the ends of x and y are images of those at the starts. */

@@ -4,6 +4,8 @@
 #ifndef fiberloom_model_composite_h
 #define fiberloom_model_composite_h
 
+#include <fiberloom/base/choices.h>
+
 #include <fiberloom/coupling/junction.h>
 
 #include <boost/serialization/string.hpp>
@@ -18,8 +20,8 @@ namespace fiberloom
   struct MatrixState
   {
     LayerGeometry         layers;
-    unsigned int          degree = 1;
-    std::string           law;
+    unsigned int          degree        = 1;
+    MatrixLaw             law           = MatrixLaw::neo_hooke;
     double                young_modulus = 0; // [MPa]
     double                poisson_ratio = 0;
     std::vector<Junction> junctions;
@@ -34,7 +36,11 @@ namespace fiberloom
     void
     serialize(Archive &ar, const unsigned int)
     {
-      ar &layers &degree &law &young_modulus &poisson_ratio &junctions;
+      // By its name, so that a new one may be put between others.
+      std::string name = is_empty() ? "" : name_of(law);
+      ar &layers &degree &name &young_modulus &poisson_ratio &junctions;
+      if (!name.empty())
+        law = choice_of<MatrixLaw>(name);
     }
   };
 

@@ -10,7 +10,6 @@
 
 #include <fiberloom/stages/stage.h>
 
-#include <optional>
 #include <vector>
 
 namespace fiberloom
@@ -79,7 +78,6 @@ namespace fiberloom
       const DriveParameters    &parameters;
       std::vector<unsigned int> nodes;
       VectorFunction            translation, rotation, force, moment;
-      std::optional<Vector3>    center;    // given by the user
       Vector3                   direction; // of force_NAME, 0: none
 
       std::string
