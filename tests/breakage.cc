@@ -7,6 +7,8 @@
 
 #include <fiberloom/beams/breakage.h>
 
+#include <fiberloom/stages/load_settings.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -105,26 +107,27 @@ namespace
   bundle()
   {
     Parameters parameters;
-    parameters.stages                       = {"load"};
-    FibersParameters &fibers                = parameters.fibers;
-    fibers.arrangement                      = Arrangement::bundle;
-    fibers.bundle                           = {n_fibers, L, 4};
-    fibers.radius                           = {radius};
-    fibers.young_modulus                    = {E};
-    fibers.poisson_ratio                    = {0};
-    fibers.axial_law                        = AxialLaw::linear;
-    fibers.elements_per_fiber               = 2;
-    fibers.strength.strength                = s0;
-    fibers.strength.weibull_modulus         = m;
-    fibers.strength.reference_length        = L0;
-    parameters.drives                       = {{}, {}};
-    parameters.drives[0].name               = "start";
-    parameters.drives[0].ends               = "all start";
-    parameters.drives[1].name               = "end";
-    parameters.drives[1].ends               = "all end";
-    parameters.drives[1].translation        = ".04*t; 0; 0";
-    parameters.load.first_step              = .025;
-    parameters.load.largest_step            = .025;
+    parameters.stages                = {"load"};
+    FibersParameters &fibers         = parameters.fibers;
+    fibers.arrangement               = Arrangement::bundle;
+    fibers.bundle                    = {n_fibers, L, 4};
+    fibers.radius                    = {radius};
+    fibers.young_modulus             = {E};
+    fibers.poisson_ratio             = {0};
+    fibers.axial_law                 = AxialLaw::linear;
+    fibers.elements_per_fiber        = 2;
+    fibers.strength.strength         = s0;
+    fibers.strength.weibull_modulus  = m;
+    fibers.strength.reference_length = L0;
+    parameters.drives                = {{}, {}};
+    parameters.drives[0].name        = "start";
+    parameters.drives[0].ends        = "all start";
+    parameters.drives[1].name        = "end";
+    parameters.drives[1].ends        = "all end";
+    parameters.drives[1].translation = ".04*t; 0; 0";
+    auto &load        = parameters.stage_settings.get<LoadSettings>();
+    load.first_step   = .025;
+    load.largest_step = .025;
     parameters.solver.error_estimate        = false;
     parameters.contact.friction_coefficient = 0;
     parameters.drive_names                  = {"start", "end"};

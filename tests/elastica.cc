@@ -9,6 +9,8 @@
 
 #include <fiberloom/fabric/fabric_parameters.h>
 
+#include <fiberloom/stages/load_settings.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <Eigen/LU>
@@ -224,7 +226,8 @@ namespace
     tip.force         = "0; 0; 600*t";
     parameters.drives = {clamp, tip};
     parameters.resolve();
-    parameters.load.first_step = parameters.load.largest_step = .25;
+    auto &load      = parameters.stage_settings.get<LoadSettings>();
+    load.first_step = load.largest_step = .25;
 
     double       error   = 0;
     unsigned int n_loads = 0;

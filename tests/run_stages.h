@@ -25,7 +25,7 @@ run_stages(const fiberloom::Parameters        &parameters,
   std::unique_ptr<Composite> composite;
   for (const std::string &name : parameters.stages)
     {
-      if (name == "coat")
+      if (stage_type(name).adds_matrix)
         {
           add_matrix(parameters, mesh, state);
           composite = std::make_unique<Composite>(state.matrix, mesh);

@@ -5,29 +5,30 @@
 #include <fiberloom/base/exceptions.h>
 #include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
-#include <fiberloom/base/vector_function.h>
-
-#include <deal.II/base/utilities.h>
 
 #include <boost/format.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
 
 namespace fiberloom
 {
+  void
+  check_number_of_nodes(const double nodes, const std::string &where)
+  {
+    if (nodes > Parameters::most_nodes)
+      throw InputError(
+        where + ": the model would have " +
+        (boost::format("%.3g") % nodes).str() + " nodes; allowed: at most " +
+        std::to_string(Parameters::most_nodes) + ", by smaller numbers");
+  }
+
+
+
   namespace
   {
-    // Over the radius, the largest by which weaves have been compared.
-    constexpr double preview_step = .7;
-
-    // Points of the load at which functions are looked at, and at which they
-    // must be finite; what is between is found where an increment ends there.
-    constexpr unsigned int n_samples = 200, n_finite = 2000;
-
     void
     resolve_tows(TowParameters       &tows,
                  const TowParameters &crossing,
@@ -61,16 +62,6 @@ namespace fiberloom
                          std::to_string(tows.fibers));
     }
 
-    void
-    check_number_of_nodes(const double nodes, const std::string &where)
-    {
-      if (nodes > Parameters::most_nodes)
-        throw InputError(
-          where + ": the model would have " +
-          (boost::format("%.3g") % nodes).str() + " nodes; allowed: at most " +
-          std::to_string(Parameters::most_nodes) + ", by smaller numbers");
-    }
-
     /** Before anything of this size is built. */
     void
     check_size(const Parameters &parameters)
@@ -98,226 +89,8 @@ namespace fiberloom
                                     ", Fibers per tow, Elements per fiber and "
                                     "Plies");
           }
-      if (parameters.has_matrix())
-        {
-          const MatrixParameters &matrix = parameters.matrix;
-          const double            degree = matrix.degree;
-          check_number_of_nodes((matrix.layers == Layers::both ? 2 : 1) *
-                                  (degree * matrix.cells_along_x + 1) *
-                                  (degree * matrix.cells_along_y + 1) *
-                                  (degree * matrix.cells_through_thickness + 1),
-                                parameters.where("Matrix/Cells along x") +
-                                  ", along y and through thickness");
-        }
     }
 
-    using Components = std::array<bool, 3>;
-
-    /** Three functions of t that are finite from 0 to @p end . Throws
-     * InputError. */
-    VectorFunction
-    read_functions(const std::string &functions,
-                   const double       end,
-                   const std::string &where)
-    {
-      const std::string allowed = "; allowed: three functions of t with "
-                                  "semicolons between, such as 0; 0; 0.1*t";
-      const std::size_t n =
-        dealii::Utilities::split_string_list(functions, ';').size();
-      if (n != 3)
-        throw InputError(where + ": " + std::to_string(n) + " functions" +
-                         allowed);
-      try
-        {
-          VectorFunction parsed(functions);
-          for (unsigned int i = 0; i <= (parsed.is_constant() ? 0 : n_finite);
-               ++i)
-            if (!parsed.value(end * i / n_finite).allFinite())
-              throw InputError("not finite at t = " +
-                               exact_text(end * i / n_finite));
-          return parsed;
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(where + " = " + functions + ": " + error.what() +
-                           allowed);
-        }
-    }
-
-    /** Which of the components are not always 0. */
-    Components
-    nonzero_components(const VectorFunction &function, const double end)
-    {
-      Components nonzero{{false, false, false}};
-      for (unsigned int i = 0; i <= n_samples; ++i)
-        for (unsigned int c = 0; c < 3; ++c)
-          nonzero[c] =
-            nonzero[c] || function.value(end * i / n_samples)[c] != 0;
-      return nonzero;
-    }
-
-    bool
-    is_zero(const VectorFunction &function, const double end)
-    {
-      return nonzero_components(function, end) == Components();
-    }
-
-    void
-    check_starts_at_zero(const VectorFunction &motion, const std::string &where)
-    {
-      if (motion.value(0).norm() > 1e-12)
-        throw InputError(where +
-                         ": it is not 0 at t = 0; allowed: the motion relative "
-                         "to the start of the stage, such as 0; 0; 0.1*t");
-    }
-
-    /** Turns can be followed. */
-    void
-    check_turns(const VectorFunction &rotation,
-                const LoadParameters &load,
-                const std::string    &where)
-    {
-      if (!(rotation.step_within(LoadParameters::largest_turn,
-                                 load.largest_step,
-                                 load.end) > 0))
-        throw InputError(where + ": it jumps by more than 15 degrees; "
-                                 "allowed: functions without jumps");
-    }
-
-    /** That all names are those of choices; a wrong one @p is_wrong , in
-     * words. */
-    template <class Choice>
-    void
-    check_names(const NamedSet<Choice> &names,
-                const std::string      &is_wrong,
-                const std::string      &where)
-    {
-      if (names.unknown_name())
-        throw InputError(where + ": " + *names.unknown_name() + " " + is_wrong +
-                         "; allowed: " + all_names<Choice>(", ") +
-                         " with blanks between");
-    }
-
-    void
-    check_center(const GivenPoint &center, const std::string &where)
-    {
-      if (center.is_wrong())
-        throw InputError(where + " = " + center.text() +
-                         " is no point; allowed: three numbers x y z with "
-                         "blanks between");
-    }
-
-    void
-    check_borders(const DriveParameters &drive, const Parameters &parameters)
-    {
-      const std::string section = "Drive " + drive.name + "/";
-      if (const auto &name = drive.matrix_borders.unknown_name())
-        throw InputError(parameters.where(section + "Matrix borders") +
-                         ": there is no border " + *name +
-                         "; allowed: " + all_names<MatrixBorder>(", ") +
-                         " with commas between");
-      if (!drive.matrix_borders.empty() && !parameters.has_matrix())
-        throw InputError(parameters.where(section + "Matrix borders") +
-                         ": the scene has no matrix; allowed: another "
-                         "Matrix/Layers than none");
-      check_names(drive.matrix_held,
-                  "cannot be held",
-                  parameters.where(section + "Matrix held"));
-    }
-
-    void
-    check_matrix_parameters(const Parameters &parameters)
-    {
-      const MatrixParameters &matrix = parameters.matrix;
-      if (matrix.thickness <= matrix.overlap && parameters.has_matrix() &&
-          matrix.layers != Layers::filled)
-        throw InputError(parameters.where("Matrix/Thickness") + " = " +
-                         exact_text(matrix.thickness) +
-                         ": a layer is not thicker than the overlap, " +
-                         exact_text(matrix.overlap) +
-                         "; allowed: more than Matrix/Overlap");
-      const bool coats = parameters.has_stage("coat");
-      if (coats && !parameters.has_matrix())
-        throw InputError(parameters.where("Stages") +
-                         ": coat has nothing to do, as Matrix/Layers is none; "
-                         "allowed: upper, lower, both or filled there");
-    }
-
-    /** Motion where it is free or load where it is not would be ignored. */
-    void
-    check_drive(const DriveParameters &drive, const Parameters &parameters)
-    {
-      const std::string section = "Drive " + drive.name + "/";
-      check_borders(drive, parameters);
-      if (drive.ends.empty() && drive.matrix_borders.empty())
-        throw InputError(parameters.where(section + "Ends") +
-                         ": no end is named; allowed: a list such as 0 start, "
-                         "3-5 end, all at 0.5");
-      check_names(drive.held,
-                  "cannot be held",
-                  parameters.where(section + "Held"));
-      check_center(drive.center, parameters.where(section + "Center"));
-      check_names(drive.free,
-                  "is no degree of freedom",
-                  parameters.where(section + "Free"));
-
-      struct Quantity
-      {
-        std::string            name;
-        const std::string     &functions;
-        std::array<BodyDof, 3> dofs;
-        bool                   acts_on_free;
-      };
-      const std::array<BodyDof, 3> along{{BodyDof::x, BodyDof::y, BodyDof::z}},
-        about{{BodyDof::rx, BodyDof::ry, BodyDof::rz}};
-      for (const Quantity &quantity :
-           {Quantity{"Translation", drive.translation, along, false},
-            Quantity{"Rotation", drive.rotation, about, false},
-            Quantity{"Force", drive.force, along, true},
-            Quantity{"Moment", drive.moment, about, true}})
-        {
-          const std::string where = parameters.where(section + quantity.name);
-          const VectorFunction function =
-            read_functions(quantity.functions, parameters.load.end, where);
-          const Components given =
-            nonzero_components(function, parameters.load.end);
-          for (unsigned int i = 0; i < 3; ++i)
-            {
-              const BodyDof dof     = quantity.dofs[i];
-              const bool    is_free = drive.free.has(dof);
-              if (given[i] && is_free != quantity.acts_on_free)
-                throw InputError(where + ": " + name_of(dof) + " is " +
-                                 (is_free ? "" : "not ") +
-                                 "free; allowed: 0 as function number " +
-                                 std::to_string(i + 1) + ", or another entry " +
-                                 section + "Free");
-            }
-          if (!quantity.acts_on_free)
-            check_starts_at_zero(function, where);
-          if (quantity.name == "Rotation")
-            check_turns(function, parameters.load, where);
-        }
-    }
-
-    void
-    check_distributed_loads(const Parameters &parameters)
-    {
-      const LoadParameters &load = parameters.load;
-      read_functions(load.line_load,
-                     load.end,
-                     parameters.where("Load/Line load"));
-      const std::string where = parameters.where("Load/Gravity");
-      const bool        heavy =
-        parameters.is_fabric() ?
-                 parameters.fabric.warp.density + parameters.fabric.fill.density > 0 :
-                 *std::max_element(parameters.fibers.density.begin(),
-                            parameters.fibers.density.end()) > 0;
-      if (!is_zero(read_functions(load.gravity, load.end, where), load.end) &&
-          !heavy)
-        throw InputError(where + ": the fibers have no weight; allowed: " +
-                         (parameters.is_fabric() ? "Fabric/Warp/" : "Fibers/") +
-                         "Density above 0");
-    }
     /** Of a fabric with ends, what only a cell has; of a cell, what needs
      * ends. */
     void
@@ -329,17 +102,18 @@ namespace fiberloom
                          ": the scene has no fabric, as Fibers/" +
                          parameters.fibers.sources().front() +
                          " is given; allowed: false");
-      bool is_sheared = false;
+      std::string sheared_by;
       for (const std::string &stage : parameters.stages)
         {
           const StageType     &type     = stage_type(stage);
           const StageSettings *settings = parameters.stage_settings.find(stage);
-          is_sheared =
-            is_sheared || (settings && !settings->keeps_right_angles());
-          if (fabric.periodic && is_sheared && stage == "coat")
-            throw InputError(parameters.where("Stages") +
-                             ": coat needs a cell whose periods are at right "
-                             "angles; allowed: coat before shear");
+          if (sheared_by.empty() && settings && !settings->keeps_right_angles())
+            sheared_by = stage;
+          if (fabric.periodic && !sheared_by.empty() && type.adds_matrix)
+            throw InputError(parameters.where("Stages") + ": " + stage +
+                             " needs a cell whose periods are at right "
+                             "angles; allowed: " +
+                             stage + " before " + sheared_by);
           if (type.needs_cell() && !fabric.periodic)
             throw InputError(parameters.where("Stages") + ": " + stage +
                              " needs a periodic cell; allowed: with "
@@ -352,13 +126,6 @@ namespace fiberloom
                                return !other.needs_ends();
                              }));
         }
-      for (const auto &[entry, size] :
-           {std::pair{"Matrix/Size along x", parameters.matrix.size_x},
-            {"Matrix/Size along y", parameters.matrix.size_y}})
-        if (fabric.periodic && size > 0)
-          throw InputError(parameters.where(entry) +
-                           ": a periodic cell has a matrix of its own size; "
-                           "allowed: 0");
       if (fabric.cell_cut.size() != 2)
         throw InputError(parameters.where("Fabric/Cell cut") + ": " +
                          std::to_string(fabric.cell_cut.size()) +
@@ -450,18 +217,19 @@ namespace fiberloom
       fibers.file = std::filesystem::absolute(
                       std::filesystem::path(source).parent_path() / fibers.file)
                       .lexically_normal();
-    resolve_matrix();
-    stage_settings.resolve();
-    load.first_step = std::min(load.first_step, load.largest_step);
+    stage_settings.resolve(*this);
   }
 
   void
   Parameters::resolve_preview()
   {
-    if (stages.empty() || stages.front() != "weave" || !is_fabric())
+    if (stages.empty() || !stage_type(stages.front()).starts_fabric ||
+        !is_fabric())
       throw InputError(where("Accuracy") +
                        " = preview shows how a fabric is woven; allowed where "
-                       "Stages begins with weave and no fibers are given");
+                       "Stages begins with " +
+                       stage_names(&StageType::starts_fabric) +
+                       " and no fibers are given");
     stages.resize(1);
     const auto coarsen = [](TowParameters &tows, const unsigned int crossed) {
       const unsigned int coarsest = TowParameters::least_elements * crossed;
@@ -471,7 +239,6 @@ namespace fiberloom
     coarsen(fabric.warp, fabric.fill.tows);
     coarsen(fabric.fill, fabric.warp.tows);
     contact.stations_per_element = 1;
-    weaving.step                 = std::max(weaving.step, preview_step);
     // Loose fibers have no use for a factor of the whole.
     if (solver.linear_solver == Preconditioning::automatic)
       solver.linear_solver = Preconditioning::rigid_sections;
@@ -479,28 +246,6 @@ namespace fiberloom
   }
 
 
-
-  void
-  Parameters::resolve_matrix()
-  {
-    double radius =
-      std::max(fabric.warp.fiber_radius, fabric.fill.fiber_radius);
-    double       element = std::min(fabric.warp.element_length(fabric.fill),
-                              fabric.fill.element_length(fabric.warp));
-    unsigned int cells_along_x = 2 * fabric.fill.tows,
-                 cells_along_y = 2 * fabric.warp.tows;
-    if (!is_fabric())
-      {
-        radius  = *std::max_element(fibers.radius.begin(), fibers.radius.end());
-        element = 4 * radius;
-        cells_along_x = cells_along_y = 8;
-      }
-    replace_zero(matrix.overlap, radius);
-    replace_zero(matrix.thickness, 6 * radius);
-    replace_zero(matrix.junction_spacing, .5 * element);
-    replace_zero(matrix.cells_along_x, cells_along_x);
-    replace_zero(matrix.cells_along_y, cells_along_y);
-  }
 
   void
   Parameters::check() const
@@ -525,13 +270,10 @@ namespace fiberloom
             " is given; allowed: " + stage_names([](const StageType &type) {
               return !type.needs_fabric();
             }));
-        if (stage == "load" && drives.empty())
-          throw InputError(where("Stages") +
-                           ": load needs drives; name them in Drives");
+        if (stage_type(stage).needs_drives && drives.empty())
+          throw InputError(where("Stages") + ": " + stage +
+                           " needs drives; name them in Drives");
       }
-    for (const DriveParameters &drive : drives)
-      check_drive(drive, *this);
-    check_distributed_loads(*this);
     check_cell(*this);
     check_plies(*this);
     stage_settings.check(*this);
@@ -542,7 +284,6 @@ namespace fiberloom
       throw InputError(where("Output/Export") +
                        ": Output/Only summary is true, so nothing would be "
                        "exported; allowed: one of the two");
-    check_matrix_parameters(*this);
     check_size(*this);
 
     check_layers(fabric.warp, where("Fabric/Warp/Layers"));
@@ -556,19 +297,28 @@ namespace fiberloom
     std::vector<std::string> sequence = stages_done;
     sequence.insert(sequence.end(), stages.begin() + next, stages.end());
 
-    if (std::count(sequence.begin(), sequence.end(), "coat") > 1)
-      throw InputError(where("Stages") + ": there is a matrix already; "
-                                         "allowed: coat only once");
+    if (std::count_if(sequence.begin(),
+                      sequence.end(),
+                      [](const std::string &stage) {
+                        return is_stage(stage, &StageType::adds_matrix);
+                      }) > 1)
+      throw InputError(where("Stages") +
+                       ": there is a matrix already; allowed: " +
+                       stage_names(&StageType::adds_matrix) + " only once");
     if (!is_fabric() && fibers.file.empty())
       return;
     for (std::size_t i = 0; i < sequence.size(); ++i)
-      if ((sequence[i] == "weave") != (i == 0) &&
-          (is_fabric() || sequence[i] == "weave")) // files may be woven
-        throw InputError(where("Stages") + ": " +
-                         (i == 0 ?
-                            sequence[i] +
-                              " needs a woven fabric; allowed: weave first, "
-                              "or --restart from a woven state" :
-                            "weave is possible only once, as the first stage"));
+      {
+        const bool starts = is_stage(sequence[i], &StageType::starts_fabric);
+        if (starts == (i == 0) ||
+            !(is_fabric() || starts)) // files may be woven
+          continue;
+        throw InputError(where("Stages") + ": " + sequence[i] +
+                         (starts ?
+                            " is possible only once, as the first stage" :
+                            " needs a woven fabric; allowed: " +
+                              stage_names(&StageType::starts_fabric) +
+                              " first, or --restart from a woven state"));
+      }
   }
 } // namespace fiberloom

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
-#include <fiberloom/base/accuracy.h>
 #include <fiberloom/base/fabric_declarations.h>
-#include <fiberloom/base/matrix_declarations.h>
 #include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
@@ -11,90 +9,6 @@ namespace fiberloom
 {
   namespace
   {
-    // a bound that keeps a slip of the finger from running for ever
-    constexpr int most_iterations = 100000;
-
-    void
-    declare_drive(ParameterCatalogue &catalogue, DriveParameters &drive)
-    {
-      const Allowed functions =
-        Allowed::text_like("three functions of t with semicolons between");
-
-      catalogue.enter_section("Drive " + drive.name);
-      catalogue.add(
-        "Ends",
-        drive.ends,
-        "Points of fibers that the rigid body holds: fibers, counted from 0, "
-        "and start, end, at a fraction of the length (the nearest node is "
-        "taken), or whole for all nodes. warp and fill are all fibers of that "
-        "family, or of the tows whose numbers follow.",
-        Allowed::text_like("such as 0 start, 3-5 end, all at 0.5, 1 whole, "
-                           "warp start, fill 2 end"));
-      catalogue.add("Hold",
-                    drive.hold,
-                    "How it holds them: clamped holds the axis' end and the "
-                    "directions of the section; pinned the axis' end and the "
-                    "rotation of the section about the axis; centers only the "
-                    "axis' end.");
-      catalogue.add(
-        "Held",
-        drive.held,
-        "What is held at each point, one by one, in place of Hold: x, y and z "
-        "of the axis, along the axes of the sample as the body turns them; "
-        "spin, the rotation of the section about the axis; tilt, the "
-        "direction of the axis; radial, only its tilt towards or away from "
-        "the body's reference point. Empty: as Hold "
-        "says.",
-        Allowed::text_like("any of " + all_names<PointHold>(" ") +
-                           " with blanks between"));
-      catalogue.add("Free",
-                    drive.free,
-                    "Degrees of freedom of the body that are not prescribed; "
-                    "rx is the rotation about x.",
-                    Allowed::text_like("any of " + all_names<BodyDof>(" ") +
-                                       " with blanks between"));
-      catalogue.add("Matrix borders",
-                    drive.matrix_borders,
-                    "Borders of the matrix that the body holds, with commas: " +
-                      all_names<MatrixBorder>(", ") + ".",
-                    Allowed::text_like("such as x start, top"));
-      catalogue.add("Matrix held",
-                    drive.matrix_held,
-                    "Displacements that it holds there. An edge goes with "
-                    "the first drive that has it.",
-                    Allowed::text_like("some of " + all_names<Component>(" ") +
-                                       " with blanks between"));
-      catalogue.add("Center",
-                    drive.center,
-                    "Reference point of the body at the start of the stage "
-                    "[mm], about which it turns and to which moments refer. "
-                    "Empty: the mean of the points that it holds.",
-                    Allowed::text_like("three numbers x y z with blanks "
-                                       "between"));
-      catalogue.add("Translation",
-                    drive.translation,
-                    "Displacement of the body's reference point [mm], 0 at "
-                    "the start.",
-                    functions);
-      catalogue.add("Rotation",
-                    drive.rotation,
-                    "Rotation vector of the body [rad] about its reference "
-                    "point, 0 at the start; its length may be any number of "
-                    "turns.",
-                    functions);
-      catalogue.add("Force",
-                    drive.force,
-                    "Dead force [N] on those of the degrees of freedom x, y "
-                    "and z that are free.",
-                    functions);
-      catalogue.add("Moment",
-                    drive.moment,
-                    "Moment [N mm], fixed in space, on those of the degrees "
-                    "of freedom rx, ry and rz that are free.",
-                    functions);
-      catalogue.leave_section();
-    }
-
     void
     declare_contact(ParameterCatalogue &catalogue, ContactParameters &contact)
     {
@@ -144,75 +58,6 @@ namespace fiberloom
                     contact.self_contact,
                     "Whether parts of one fiber can touch each other; "
                     "automatic: unless the scene is a fabric.");
-      catalogue.leave_section();
-    }
-
-    void
-    declare_weaving(ParameterCatalogue &catalogue, WeavingParameters &weaving)
-    {
-      catalogue.enter_section("Weaving");
-      catalogue.add("Path",
-                    weaving.path,
-                    "automatic weaves in one increment, without friction until "
-                    "the fabric is at rest, and falls back to nested, which "
-                    "takes every step to equilibrium with friction.");
-      catalogue.add("Step",
-                    weaving.step,
-                    "By how much the allowed overlap of crossing tows shrinks "
-                    "in a step, over the fiber radius.",
-                    Allowed::above(0));
-      catalogue.add("Fast iterations per step",
-                    weaving.fast_iterations_per_step,
-                    "Newton iterations of each step of the fast path.",
-                    Allowed::whole(1, most_iterations));
-      catalogue.add("Coarser meshes",
-                    weaving.coarser_meshes,
-                    "Meshes with half as many elements each, but two for each "
-                    "tow that a fiber crosses, on which the fast path weaves "
-                    "first, as long as a quarter of the elements is saved.",
-                    Allowed::whole(0, 8));
-      catalogue.leave_section();
-    }
-
-    void
-    declare_load(ParameterCatalogue &catalogue, LoadParameters &load)
-    {
-      const Allowed functions =
-        Allowed::text_like("three functions of t with semicolons between");
-      catalogue.enter_section("Load");
-      catalogue.add("End",
-                    load.end,
-                    "Where t, which starts at 0, ends. An increment ends at "
-                    "each whole t, so that phases of a test can be given as "
-                    "0 to 1, 1 to 2 ...",
-                    Allowed::from_to(1e-3, 1e3));
-      catalogue.add("First step",
-                    load.first_step,
-                    "First increment of t; never more than the largest step.",
-                    Allowed::from_to(1e-6, 1e3));
-      catalogue.add("Largest step",
-                    load.largest_step,
-                    "Largest increment of t. No increment turns a drive by "
-                    "more than 15 degrees.",
-                    Allowed::from_to(1e-6, 1e3));
-      catalogue.add("Line load",
-                    load.line_load,
-                    "Dead load along the fibers [N/mm of stress-free length].",
-                    functions);
-      catalogue.add("Gravity",
-                    load.gravity,
-                    "Acceleration of gravity [mm/s^2], such as 0; 0; -9810; "
-                    "the weight is that of Density.",
-                    functions);
-      catalogue.add("Loaded fibers",
-                    load.loaded_fibers,
-                    "Fibers that Line load and Gravity act on.",
-                    Allowed::text_like("such as all, 0, 3-5, warp, fill 0-2"));
-      catalogue.add("Probes",
-                    load.probes,
-                    "Points of fibers whose positions get columns in the "
-                    "loading curve.",
-                    Allowed::text_like("such as 0 end, 3 at 0.5, all at 0.5"));
       catalogue.leave_section();
     }
 
@@ -426,12 +271,9 @@ namespace fiberloom
     declare_fabric(catalogue, fabric);
     declare_fibers(catalogue, fibers);
     for (DriveParameters &drive : drives)
-      declare_drive(catalogue, drive);
+      drive.declare(catalogue);
     declare_contact(catalogue, contact);
-    declare_weaving(catalogue, weaving);
-    declare_matrix(catalogue, matrix);
     stage_settings.declare(catalogue);
-    declare_load(catalogue, load);
     declare_solver(catalogue, solver);
     declare_output(catalogue, output);
   }

@@ -24,6 +24,18 @@ namespace fiberloom
 
 
 
+  bool
+  is_stage(const std::string &name, bool StageType::*that)
+  {
+    return std::any_of(stage_types().begin(),
+                       stage_types().end(),
+                       [&](const StageType &known) {
+                         return known.name == name && known.*that;
+                       });
+  }
+
+
+
   std::string
   stage_names(const std::function<bool(const StageType &)> &is_meant)
   {
@@ -84,10 +96,10 @@ namespace fiberloom
 
 
   void
-  AllStageSettings::resolve()
+  AllStageSettings::resolve(const Parameters &parameters)
   {
     for (const Item &item : items)
-      item.settings->resolve();
+      item.settings->resolve(parameters);
   }
 
 
@@ -97,6 +109,26 @@ namespace fiberloom
   {
     for (const Item &item : items)
       item.settings->check(parameters);
+  }
+
+
+
+  void
+  AllStageSettings::check_fibers(const Parameters &parameters,
+                                 const FiberSet   &fibers) const
+  {
+    for (const Item &item : items)
+      item.settings->check_fibers(parameters, fibers);
+  }
+
+
+
+  bool
+  AllStageSettings::describe_matrix() const
+  {
+    return std::any_of(items.begin(), items.end(), [](const Item &item) {
+      return item.settings->describes_matrix();
+    });
   }
 
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
-#include <fiberloom/base/parameters.h>
-
 #include <fiberloom/matrix/woven_surface.h>
 
 #include <fiberloom/coupling/junction.h>

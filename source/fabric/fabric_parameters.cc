@@ -5,7 +5,6 @@
 #include <fiberloom/base/parameter_catalogue.h>
 
 #include <fiberloom/fabric/fabric_parameters.h>
-#include <fiberloom/fabric/fiber_points.h>
 #include <fiberloom/fabric/fiber_set.h>
 #include <fiberloom/fabric/tow_packing.h>
 
@@ -13,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace fiberloom
 {
@@ -23,50 +21,6 @@ namespace fiberloom
     short_text(const double value)
     {
       return (boost::format("%.2g") % value).str();
-    }
-
-    /** Runs @p find , whose errors get the place of @p entry . */
-    template <class Find>
-    auto
-    found_at(const Parameters  &parameters,
-             const std::string &entry,
-             const Find        &find)
-    {
-      try
-        {
-          return find();
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(parameters.where(entry) + ": " + error.what());
-        }
-    }
-
-    /** Every point that drives hold exists and is held once. */
-    void
-    check_drive_ends(const Parameters &parameters, const FiberSet &fibers)
-    {
-      std::map<std::pair<unsigned int, unsigned int>, std::string> holder;
-      for (const DriveParameters &drive : parameters.drives)
-        {
-          const std::string entry = "Drive " + drive.name + "/Ends";
-          for (const FiberPoint &point :
-               found_at(parameters, entry, [&drive, &fibers]() {
-                 return find_points(drive.ends, fibers);
-               }))
-            {
-              const auto [held, is_new] = holder.insert(
-                {{point.fiber, point.nearest_node()}, drive.name});
-              if (!is_new)
-                throw InputError(
-                  parameters.where(entry) + ": fiber " +
-                  std::to_string(point.fiber) + " " + point.name +
-                  (held->second == drive.name ?
-                     " is held twice" :
-                     " is held twice, by drive " + held->second + ", too") +
-                  "; allowed: once");
-            }
-        }
     }
 
     /** Of a file, which has a fabric only if it has its tows. */
@@ -115,18 +69,6 @@ namespace fiberloom
                          short_text(n) + " voxels; allowed: at least some " +
                          short_text(std::cbrt(box.prod() / most_voxels)));
     }
-
-    void
-    check_load_lists(const Parameters &parameters, const FiberSet &fibers)
-    {
-      const LoadParameters &load = parameters.load;
-      found_at(parameters, "Load/Loaded fibers", [&load, &fibers]() {
-        return find_fibers(load.loaded_fibers, fibers);
-      });
-      found_at(parameters, "Load/Probes", [&load, &fibers]() {
-        return find_points(load.probes, fibers);
-      });
-    }
   } // namespace
 
   void
@@ -140,7 +82,6 @@ namespace fiberloom
     const FiberSet fibers = build_fiber_set(parameters);
     check_stages(parameters, fibers);
     check_voxel_size(parameters, fibers);
-    check_drive_ends(parameters, fibers);
-    check_load_lists(parameters, fibers);
+    parameters.stage_settings.check_fibers(parameters, fibers);
   }
 } // namespace fiberloom

@@ -7,8 +7,7 @@
 
 #include <fiberloom/fabric/fiber_density.h>
 #include <fiberloom/fabric/input_notes.h>
-
-#include <boost/format.hpp>
+#include <fiberloom/fabric/usual_values.h>
 
 #include <algorithm>
 #include <string>
@@ -18,59 +17,17 @@ namespace fiberloom
 {
   namespace
   {
-    struct Unit
-    {
-      const char *name;
-      double      factor; // to that of the program
-    };
-
-    /** What fibers or matrices have, widely, and units that may be meant. */
-    struct Range
-    {
-      const char       *what;
-      double            low, high;
-      const char       *unit;
-      std::vector<Unit> others;
-    };
-
-    const Range radius_range{"a fiber",
-                             1e-4,
-                             1,
-                             "mm",
-                             {{"m", 1e3}, {"um", 1e-3}, {"nm", 1e-6}}},
+    const UsualRange radius_range{"a fiber",
+                                  1e-4,
+                                  1,
+                                  "mm",
+                                  {{"m", 1e3}, {"um", 1e-3}, {"nm", 1e-6}}},
       modulus_range{"a fiber", 500, 5e6, "MPa", {{"GPa", 1e3}, {"Pa", 1e-6}}},
-      matrix_range{"a matrix", 1e-3, 1e6, "MPa", {{"GPa", 1e3}, {"Pa", 1e-6}}},
       density_range{"a fiber",
                     1e-10,
                     3e-8,
                     "t/mm^3",
                     {{"g/cm^3", 1e-9}, {"kg/m^3", 1e-12}}};
-
-    /** Without what the change of the unit has left in the last digits. */
-    double
-    rounded(const double value)
-    {
-      return std::stod((boost::format("%.12g") % value).str());
-    }
-
-    bool
-    is_usual(const double value, const Range &range)
-    {
-      return value == 0 || (value >= range.low && value <= range.high);
-    }
-
-    std::string
-    explain_unusual(const double value, const Range &range)
-    {
-      std::string text = exact_text(value) + " " + range.unit +
-                         (value < range.low ? " is less" : " is more") +
-                         " than " + range.what + " has";
-      for (const Unit &unit : range.others)
-        if (is_usual(value * unit.factor, range))
-          return text + "; if " + unit.name + " are meant, it is " +
-                 exact_text(rounded(value * unit.factor));
-      return text;
-    }
 
     class Notes
     {
@@ -85,7 +42,7 @@ namespace fiberloom
       /** The first of @p values that is unusual is told. */
       void
       check(const std::vector<double> &values,
-            const Range               &range,
+            const UsualRange          &range,
             const std::string         &entry)
       {
         const auto unusual =
@@ -209,18 +166,14 @@ namespace fiberloom
         if (!parameters.fabric.fill.same_as_warp)
           notes.check_tows(parameters.fabric.fill, "Fabric/Fill/");
         notes.check_period(*fibers.pattern);
-        notes.check_stages();
       }
     else
       notes.check_fibers(fibers);
+    notes.check_stages();
     if (fibers.pattern)
       notes.check_areal_weight(fibers,
                                parameters.is_fabric() ? "Fabric/Warp/Density" :
                                                         "Fibers/Density");
-    if (parameters.has_matrix())
-      notes.check({parameters.matrix.young_modulus},
-                  matrix_range,
-                  "Matrix/Young modulus");
     return notes.all();
   }
 } // namespace fiberloom

@@ -3,7 +3,6 @@
 
 #include <fiberloom/base/exceptions.h>
 #include <fiberloom/base/parameter_catalogue.h>
-#include <fiberloom/base/parameters.h>
 
 #include <fiberloom/matrix/layer_geometry.h>
 

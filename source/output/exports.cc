@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/stages/coat_settings.h>
+
 #include <fiberloom/output/exports.h>
 #include <fiberloom/output/fiber_lines.h>
 #include <fiberloom/output/files.h>
@@ -51,8 +53,8 @@ namespace fiberloom
         write_file(directory + "voxels.inp",
                    voxel_deck(grid,
                               fibers,
-                              {parameters.matrix.young_modulus,
-                               parameters.matrix.poisson_ratio}));
+                              {matrix_of(parameters).young_modulus,
+                               matrix_of(parameters).poisson_ratio}));
     }
   } // namespace
 

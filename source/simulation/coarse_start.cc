@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/stages/weave.h>
+
 #include <fiberloom/simulation/coarse_start.h>
 #include <fiberloom/simulation/refinement.h>
 
@@ -33,7 +35,8 @@ namespace fiberloom
     bool
     coarsen(Parameters &parameters)
     {
-      --parameters.weaving.coarser_meshes;
+      WeaveSettings &weaving = parameters.stage_settings.get<WeaveSettings>();
+      --weaving.coarser_meshes;
       ContactParameters &contact = parameters.contact;
       const double       part =
         std::clamp(deepest / contact.largest_penetration, 1., softer);
@@ -41,9 +44,9 @@ namespace fiberloom
       contact.initial_stiffness /= part;
       contact.line_stiffness /= part;
       // Where a fabric comes to rest does not depend on friction.
-      contact.friction_coefficient   = 0;
-      parameters.weaving.near_enough = near_enough;
-      FabricParameters &fabric       = parameters.fabric;
+      contact.friction_coefficient = 0;
+      weaving.near_enough          = near_enough;
+      FabricParameters &fabric     = parameters.fabric;
       const auto halve = [](TowParameters &tows, const unsigned int crossed) {
         const unsigned int before = tows.elements_per_fiber;
         tows.elements_per_fiber =

@@ -3,6 +3,8 @@
 
 #include <fiberloom/base/exceptions.h>
 
+#include <fiberloom/stages/relax.h>
+
 #include <fiberloom/simulation/error_estimate.h>
 #include <fiberloom/simulation/refinement.h>
 
@@ -182,7 +184,8 @@ namespace fiberloom
     bool
     follows_relax(const State &state)
     {
-      return !state.stages_done.empty() && state.stages_done.back() == "relax";
+      return !state.stages_done.empty() &&
+             is_stage(state.stages_done.back(), &StageType::only_relaxes);
     }
 
 
@@ -350,7 +353,7 @@ namespace fiberloom
                         State                       &state)
     {
       State relaxed = at_start_of_stage(state);
-      auto  relax   = create_stage("relax", scene);
+      auto  relax   = std::make_unique<Relax>(scene);
       relax->begin(relaxed);
       Trial       trial(scene, std::move(relax), relaxed.q, comm, ask);
       const State before    = relaxed;

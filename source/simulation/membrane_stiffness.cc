@@ -6,6 +6,7 @@
 #include <fiberloom/base/parameters.h>
 
 #include <fiberloom/stages/cell.h>
+#include <fiberloom/stages/coat_settings.h>
 
 #include <fiberloom/simulation/membrane_stiffness.h>
 
@@ -64,7 +65,7 @@ namespace fiberloom
   filled_thickness(const Scene &scene, const State &state)
   {
     if (scene.composite == nullptr ||
-        scene.parameters.matrix.layers != Layers::filled)
+        matrix_of(scene.parameters).layers != Layers::filled)
       return 0;
     const MatrixMesh &matrix    = scene.composite->matrix();
     const auto        positions = scene.composite->positions(state.q);

@@ -44,14 +44,17 @@ namespace fiberloom
     void
     check_compaction(const Parameters &parameters, const State &state)
     {
-      bool has_matrix = !state.matrix.is_empty();
+      const std::string coat       = stage_names(&StageType::adds_matrix);
+      bool              has_matrix = !state.matrix.is_empty();
       for (unsigned int s = state.stage; s < parameters.stages.size(); ++s)
         {
-          has_matrix = has_matrix || parameters.stages[s] == "coat";
-          if (parameters.stages[s] == "compact" && has_matrix)
-            throw InputError(parameters.where("Stages") +
-                             ": compact presses dry fabrics, and coat has made "
-                             "a matrix; allowed: compact before coat");
+          const StageType &type = stage_type(parameters.stages[s]);
+          has_matrix            = has_matrix || type.adds_matrix;
+          if (type.needs_no_matrix && has_matrix)
+            throw InputError(parameters.where("Stages") + ": " + type.name +
+                             " presses dry fabrics, and " + coat +
+                             " has made a matrix; allowed: " + type.name +
+                             " before " + coat);
         }
     }
 
@@ -106,7 +109,7 @@ namespace fiberloom
   Simulation::expected_size() const
   {
     ModelSize size   = model_size();
-    size.matrix_dofs = 3 * n_layer_nodes(parameters.matrix);
+    size.matrix_dofs = 3 * n_layer_nodes(matrix_of(parameters));
     return size;
   }
 
@@ -349,7 +352,8 @@ namespace fiberloom
     // Where coating comes first, what is wrong with it shows at once.
     std::vector<std::string> notes = input_notes(parameters, fibers);
     if (state.stage < parameters.stages.size() &&
-        parameters.stages[state.stage] == "coat" && state.matrix.is_empty())
+        stage_type(parameters.stages[state.stage]).adds_matrix &&
+        state.matrix.is_empty())
       notes.push_back(add_matrix(parameters, mesh, state));
     for (const std::string &note : stage_notes(state))
       notes.push_back(note);
@@ -585,7 +589,7 @@ namespace fiberloom
   std::unique_ptr<Composite>
   Simulation::make_composite(const std::string &stage, State &state)
   {
-    if (stage == "coat" && state.matrix.is_empty())
+    if (stage_type(stage).adds_matrix && state.matrix.is_empty())
       log.write(add_matrix(parameters, mesh, state));
     if (state.matrix.is_empty())
       return nullptr;

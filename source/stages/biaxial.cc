@@ -50,7 +50,7 @@ namespace fiberloom
 
 
   void
-  BiaxialSettings::resolve()
+  BiaxialSettings::resolve(const Parameters &)
   {
     first_step = std::min(first_step, largest_step);
   }

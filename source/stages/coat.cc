@@ -24,11 +24,13 @@ namespace fiberloom
   StageType
   Coat::type()
   {
-    return {"coat",
-            "adds layers of matrix",
-            StageType::Sample::fibers,
-            &make<Coat>,
-            {}};
+    StageType type{CoatSettings::stage,
+                   "adds layers of matrix",
+                   StageType::Sample::fibers,
+                   &make<Coat>,
+                   &make_settings<CoatSettings>};
+    type.adds_matrix = true;
+    return type;
   }
 
 
@@ -83,7 +85,7 @@ namespace fiberloom
   std::string
   add_matrix(const Parameters &parameters, const FiberMesh &mesh, State &state)
   {
-    const MatrixParameters &wanted = parameters.matrix;
+    const MatrixParameters &wanted = matrix_of(parameters);
     MatrixState             matrix;
     matrix.layers        = build_layers(wanted, mesh, state.q);
     matrix.degree        = wanted.degree;
@@ -137,7 +139,7 @@ namespace fiberloom
   {
     double n = 0;
     for (const auto &line : mesh.lines())
-      n += line.length / parameters.matrix.junction_spacing;
+      n += line.length / matrix_of(parameters).junction_spacing;
     if (parameters.has_matrix() && n > Parameters::most_nodes)
       throw InputError(
         parameters.where("Matrix/Junction spacing") + ": up to " +
@@ -152,7 +154,7 @@ namespace fiberloom
   {
     if (matrix.is_empty())
       return;
-    const MatrixParameters &wanted = parameters.matrix;
+    const MatrixParameters &wanted = matrix_of(parameters);
     const auto              demand = [&](const std::string &entry,
                             const bool         equal,
                             const std::string &its_value) {

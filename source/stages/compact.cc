@@ -91,7 +91,7 @@ namespace fiberloom
 
 
   void
-  CompactSettings::resolve()
+  CompactSettings::resolve(const Parameters &)
   {
     first_step = std::min(first_step, largest_step);
   }
@@ -102,7 +102,7 @@ namespace fiberloom
   CompactSettings::check(const Parameters &parameters) const
   {
     Way::check(way, parameters.where("Compact/Way"));
-    if (!parameters.has_stage("compact"))
+    if (!parameters.has_stage(stage))
       return;
     if ((thickness > 0) + (volume_fraction > 0) + (pressure > 0) != 1)
       throw InputError(parameters.where("Compact/Thickness") +
@@ -137,8 +137,8 @@ namespace fiberloom
     const double volume = fabric.volume_over_area();
     const double fraction =
       thickness > 0 ? volume / thickness : volume_fraction;
-    if (!parameters.has_stage("compact") || fabric.plies > 1 ||
-        fraction * two <= volume)
+    if (!parameters.is_fabric() || !parameters.has_stage(stage) ||
+        fabric.plies > 1 || fraction * two <= volume)
       return {};
     return {parameters.where(thickness > 0 ? "Compact/Thickness" :
                                              "Compact/Fiber volume fraction") +
@@ -156,11 +156,13 @@ namespace fiberloom
   StageType
   Compact::type()
   {
-    return {"compact",
-            "presses a periodic cell between plates",
-            StageType::Sample::cell,
-            &make<Compact>,
-            &make_settings<CompactSettings>};
+    StageType type{CompactSettings::stage,
+                   "presses a periodic cell between plates",
+                   StageType::Sample::cell,
+                   &make<Compact>,
+                   &make_settings<CompactSettings>};
+    type.needs_no_matrix = true;
+    return type;
   }
 
 

@@ -9,6 +9,7 @@
 
 #include <fiberloom/coupling/hold.h>
 
+#include <fiberloom/stages/coat_settings.h>
 #include <fiberloom/stages/load.h>
 #include <fiberloom/stages/matrix_borders.h>
 
@@ -71,11 +72,14 @@ namespace fiberloom
   StageType
   Load::type()
   {
-    return {"load",
-            "moves and loads the drives",
-            StageType::Sample::fibers_with_ends,
-            &make<Load>,
-            {}};
+    StageType type{"load",
+                   "moves and loads the drives",
+                   StageType::Sample::fibers_with_ends,
+                   &make<Load>,
+                   &make_settings<LoadSettings>};
+    type.needs_drives     = true;
+    type.moves_own_bodies = true;
+    return type;
   }
 
 
@@ -100,11 +104,12 @@ namespace fiberloom
 
   Load::Load(const Scene &scene)
     : Stage(scene)
-    , line_load(scene.parameters.load.line_load)
-    , gravity(scene.parameters.load.gravity)
-    , step(scene.parameters.load.largest_step)
+    , settings(scene.parameters.stage_settings.get<LoadSettings>())
+    , line_load(settings.line_load)
+    , gravity(settings.gravity)
+    , step(settings.largest_step)
   {
-    const double end = scene.parameters.load.end;
+    const double end = settings.end;
     for (const DriveParameters &parameters : scene.parameters.drives)
       {
         drives.emplace_back(parameters);
@@ -116,9 +121,9 @@ namespace fiberloom
         if (drive.direction.isZero(0))
           drive.direction = main_direction(drive.force, end);
         step =
-          drive.rotation.step_within(LoadParameters::largest_turn, step, end);
+          drive.rotation.step_within(LoadSettings::largest_turn, step, end);
       }
-    probes = find_points(scene.parameters.load.probes, scene.fibers);
+    probes = find_points(settings.probes, scene.fibers);
     for (unsigned int d = 0; d < drives.size(); ++d)
       check_support(d);
     distribute_loads();
@@ -194,7 +199,7 @@ namespace fiberloom
         if (found.empty())
           throw InputError(
             scene.parameters.where(drive.entry("Matrix borders")) + ": the " +
-            name_of(scene.parameters.matrix.layers) +
+            name_of(matrix_of(scene.parameters).layers) +
             " layers have no border " + name_of(border) +
             "; allowed: x start, x end, y start, y end, and where a layer lies "
             "bottom, top");
@@ -268,7 +273,7 @@ namespace fiberloom
   void
   Load::distribute_loads()
   {
-    const double end = scene.parameters.load.end;
+    const double end = settings.end;
     is_loaded        = !main_direction(line_load, end).isZero(0) ||
                 !main_direction(gravity, end).isZero(0);
     if (!is_loaded)
@@ -280,7 +285,7 @@ namespace fiberloom
     // even pressure; they are not polynomials of an element.
     const dealii::QIterated<1> rule(dealii::QGauss<1>(4), 20);
     for (const unsigned int fiber :
-         find_fibers(scene.parameters.load.loaded_fibers, scene.fibers))
+         find_fibers(settings.loaded_fibers, scene.fibers))
       {
         const auto  &line = scene.mesh.lines()[fiber];
         const double mass_per_length =
@@ -335,7 +340,7 @@ namespace fiberloom
   std::vector<BodyTarget>
   Load::targets(const std::vector<Placement> &start, const double load) const
   {
-    const double            t = load * scene.parameters.load.end;
+    const double            t = load * settings.end;
     std::vector<BodyTarget> targets(start.size());
     for (unsigned int d = 0; d < start.size(); ++d)
       {
@@ -361,7 +366,7 @@ namespace fiberloom
   {
     if (!is_loaded)
       return {};
-    const double  t          = load * scene.parameters.load.end;
+    const double  t          = load * settings.end;
     const Vector3 per_length = finite_value(line_load, t, "Load/Line load");
     const Vector3 per_mass   = finite_value(gravity, t, "Load/Gravity");
     std::vector<Vector3> forces;
@@ -376,8 +381,7 @@ namespace fiberloom
   double
   Load::first_step(const State &) const
   {
-    return std::min(scene.parameters.load.first_step, step) /
-           scene.parameters.load.end;
+    return std::min(settings.first_step, step) / settings.end;
   }
 
 
@@ -385,7 +389,7 @@ namespace fiberloom
   double
   Load::largest_step() const
   {
-    return step / scene.parameters.load.end;
+    return step / settings.end;
   }
 
 
@@ -393,7 +397,7 @@ namespace fiberloom
   double
   Load::next_stop(const double load) const
   {
-    const double end = scene.parameters.load.end;
+    const double end = settings.end;
     return std::min(1., (std::floor(load * end + 1e-9) + 1) / end);
   }
 
@@ -408,8 +412,7 @@ namespace fiberloom
     };
     const bool any_directed =
       std::any_of(drives.begin(), drives.end(), is_directed);
-    CurveRow row{
-      {{"t", Quantity::number}, state.load * scene.parameters.load.end}};
+    CurveRow row{{{"t", Quantity::number}, state.load * settings.end}};
     for (unsigned int d = 0; d < drives.size(); ++d)
       {
         const std::string name  = drives[d].parameters.name + "_";

@@ -12,11 +12,13 @@ namespace fiberloom
   StageType
   Relax::type()
   {
-    return {"relax",
-            "lets the fabric come to rest",
-            StageType::Sample::fabric,
-            &make<Relax>,
-            {}};
+    StageType type{"relax",
+                   "lets the fabric come to rest",
+                   StageType::Sample::fabric,
+                   &make<Relax>,
+                   {}};
+    type.only_relaxes = true;
+    return type;
   }
 
 

@@ -118,10 +118,11 @@ namespace fiberloom
       if (scene.fibers.cell)
         return Cell::place(state);
       const auto &tows = scene.fibers.tows;
-      const bool  after_load =
-        !state.stages_done.empty() && state.stages_done.back() == "load";
+      const bool  after_others =
+        !state.stages_done.empty() &&
+        is_stage(state.stages_done.back(), &StageType::moves_own_bodies);
       const unsigned int n = 2 * tows.size() + 1;
-      if (state.placements.size() >= n && !after_load)
+      if (state.placements.size() >= n && !after_others)
         return MatrixBorders::place(scene, n, grip, state);
       state.placements.assign(n, Placement());
       for (unsigned int t = 0; t < tows.size(); ++t)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
+#include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
 
 #include <fiberloom/stages/weave.h>
@@ -9,20 +10,69 @@
 
 namespace fiberloom
 {
+  namespace
+  {
+    // Over the radius, the largest by which weaves have been compared.
+    constexpr double preview_step = .7;
+  } // namespace
+
+
+
+  void
+  WeaveSettings::declare(ParameterCatalogue &catalogue)
+  {
+    catalogue.enter_section("Weaving");
+    catalogue.add("Path",
+                  path,
+                  "automatic weaves in one increment, without friction until "
+                  "the fabric is at rest, and falls back to nested, which "
+                  "takes every step to equilibrium with friction.");
+    catalogue.add("Step",
+                  step,
+                  "By how much the allowed overlap of crossing tows shrinks "
+                  "in a step, over the fiber radius.",
+                  Allowed::above(0));
+    catalogue.add("Fast iterations per step",
+                  fast_iterations_per_step,
+                  "Newton iterations of each step of the fast path.",
+                  Allowed::whole(1, most_iterations));
+    catalogue.add("Coarser meshes",
+                  coarser_meshes,
+                  "Meshes with half as many elements each, but two for each "
+                  "tow that a fiber crosses, on which the fast path weaves "
+                  "first, as long as a quarter of the elements is saved.",
+                  Allowed::whole(0, 8));
+    catalogue.leave_section();
+  }
+
+
+
+  void
+  WeaveSettings::resolve(const Parameters &parameters)
+  {
+    if (parameters.is_preview())
+      step = std::max(step, preview_step);
+  }
+
+
+
   StageType
   Weave::type()
   {
-    return {"weave",
-            "moves the tows apart",
-            StageType::Sample::fabric,
-            &make<Weave>,
-            {}};
+    StageType type{"weave",
+                   "moves the tows apart",
+                   StageType::Sample::fabric,
+                   &make<Weave>,
+                   &make_settings<WeaveSettings>};
+    type.starts_fabric = true;
+    return type;
   }
 
 
 
   Weave::Weave(const Scene &scene)
     : Stage(scene)
+    , settings(scene.parameters.stage_settings.get<WeaveSettings>())
     , full_overlap(0)
     , radius(scene.mesh.smallest_radius())
   {
@@ -79,7 +129,7 @@ namespace fiberloom
   double
   Weave::first_step(const State &) const
   {
-    return std::min(1., scene.parameters.weaving.step * radius / full_overlap);
+    return std::min(1., settings.step * radius / full_overlap);
   }
 
 
@@ -100,7 +150,7 @@ namespace fiberloom
   Weave::has_fast_path() const
   {
     return scene.parameters.is_preview() ||
-           (scene.parameters.weaving.path != WeavingPath::nested &&
+           (settings.path != WeavingPath::nested &&
             scene.parameters.solver.loops != Loops::nested);
   }
 
@@ -110,7 +160,7 @@ namespace fiberloom
   Weave::starts_coarsely() const
   {
     return has_fast_path() && !scene.parameters.is_preview() &&
-           scene.parameters.weaving.coarser_meshes > 0;
+           settings.coarser_meshes > 0;
   }
 
 
@@ -133,10 +183,9 @@ namespace fiberloom
                                 const State &before,
                                 Equilibrium &equilibrium) const
   {
-    const WeavingParameters &weaving = scene.parameters.weaving;
-    Equilibrium::Problem     problem{before, targets(state.placements, 1), {}};
+    Equilibrium::Problem problem{before, targets(state.placements, 1), {}};
     problem.rule.from_above = true;
-    const double step       = weaving.step * radius;
+    const double step       = settings.step * radius;
     const double damping    = scene.parameters.solver.damping;
     for (double overlap = full_overlap; overlap > 0;)
       {
@@ -144,14 +193,14 @@ namespace fiberloom
         problem.rule.allowed_overlap = overlap;
         equilibrium.iterate(state,
                             problem,
-                            weaving.fast_iterations_per_step,
+                            settings.fast_iterations_per_step,
                             damping);
       }
 
     problem.rule = ContactRule();
     equilibrium.iterate(state,
                         problem,
-                        weaving.fast_iterations_per_step,
+                        settings.fast_iterations_per_step,
                         damping);
     return scene.parameters.is_preview() || settle(state, before, equilibrium);
   }
@@ -166,7 +215,7 @@ namespace fiberloom
     // Friction starts where the fibers are now: nothing is locked in.
     Equilibrium::Problem problem{before, targets(before.placements, 1), {}};
     problem.is_first    = true;
-    problem.near_enough = scene.parameters.weaving.near_enough;
+    problem.near_enough = settings.near_enough;
     if (!equilibrium.solve_from(state, problem))
       return false;
     if (problem.near_enough > 0)

@@ -22,6 +22,9 @@ namespace fiberloom
   /** Of points and lengths [mm]: powers of what is beyond are no numbers. */
   constexpr double farthest = 1e6;
 
+  /** A bound that keeps a slip of the finger from running for ever. */
+  constexpr int most_iterations = 100000;
+
   /** The values an entry may have: for the parser, and in words for the user.
    */
   struct Allowed

@@ -6,7 +6,7 @@
 
 #include <fiberloom/base/accuracy.h>
 #include <fiberloom/base/choices.h>
-#include <fiberloom/base/given_text.h>
+#include <fiberloom/base/drive_parameters.h>
 #include <fiberloom/base/stage_type.h>
 #include <fiberloom/base/strength_parameters.h>
 
@@ -120,27 +120,6 @@ namespace fiberloom
     sources() const;
   };
 
-  /**
-   * A rigid body that holds points of fibers, and what moves or loads it.
-   * Functions depend on t, which runs from 0 to LoadParameters::end in stage
-   * "load".
-   */
-  struct DriveParameters
-  {
-    std::string                 name;
-    std::string                 ends; // "0 start, all end, 3 at 0.5"
-    Hold                        hold = Hold::clamped;
-    NamedSet<PointHold>         held; // instead of hold, in detail
-    NamedSet<BodyDof>           free; // of the body
-    NamedSet<MatrixBorder, ','> matrix_borders;
-    NamedSet<Component>         matrix_held = "x y z"; // of the nodes of these
-    GivenPoint                  center; // of the body [mm], else the mean
-    std::string                 translation = "0; 0; 0"; // [mm] functions of t
-    std::string rotation = "0; 0; 0"; // [rad] rotation vector, functions of t
-    std::string force    = "0; 0; 0"; // [N] on free degrees of freedom
-    std::string moment   = "0; 0; 0"; // [N mm] on free degrees of freedom
-  };
-
   /** Contact and friction between fibers. */
   struct ContactParameters
   {
@@ -152,55 +131,6 @@ namespace fiberloom
     double elastic_slip         = 0.05; // over the radius
     double search_margin        = 0.3;  // over the radius
     SelfContact self_contact    = SelfContact::automatic;
-  };
-
-  /** How overlapping tows are moved apart in stage "weave". */
-  struct WeavingParameters
-  {
-    WeavingPath path = WeavingPath::automatic;
-    double      step =
-      0.5; // reduction of the allowed overlap per step over the radius
-    unsigned int fast_iterations_per_step = 2;
-    unsigned int coarser_meshes           = 2;
-    double       near_enough = 0; // of a coarser mesh, see Problem; no entry
-  };
-
-  /**
-   * The layers of matrix that stage "coat" adds. Zero marks an automatic value,
-   * see Parameters::resolve().
-   */
-  struct MatrixParameters
-  {
-    Layers       layers    = Layers::none;
-    double       thickness = 0;          // beyond the outermost skin [mm]
-    double       overlap   = 0;          // of layers and outer fibers [mm]
-    double       size_x = 0, size_y = 0; // [mm], 0: that of the fibers
-    unsigned int cells_along_x           = 0;
-    unsigned int cells_along_y           = 0;
-    unsigned int cells_through_thickness = 1;
-    unsigned int degree                  = 2;
-    MatrixLaw    law                     = MatrixLaw::neo_hooke;
-    double       young_modulus           = 50; // [MPa]
-    double       poisson_ratio           = 0.35;
-    double       junction_spacing        = 0; // along the fibers [mm]
-    double       junction_stiffness = 0; // per length [MPa], 0: by the modulus
-    double       junction_reach     = 4; // over the fiber radius
-  };
-
-  /** Stage "load", in which t runs from 0 to @p end . */
-  struct LoadParameters
-  {
-    double      end           = 1;
-    double      first_step    = 1;         // of t
-    double      largest_step  = 1;         // of t
-    std::string line_load     = "0; 0; 0"; // [N/mm] functions of t
-    std::string gravity       = "0; 0; 0"; // [mm/s^2] functions of t
-    std::string loaded_fibers = "all";
-    std::string probes; // points whose positions get columns
-
-    /** That an increment may turn a drive by, so that turns are counted [rad].
-     */
-    static constexpr double largest_turn = M_PI / 12;
   };
 
   /** How equilibrium is found, and how well. */
@@ -265,10 +195,7 @@ namespace fiberloom
     std::vector<std::string>     drive_names;
     std::vector<DriveParameters> drives;
     ContactParameters            contact;
-    WeavingParameters            weaving;
-    MatrixParameters             matrix;
     AllStageSettings             stage_settings;
-    LoadParameters               load;
     SolverParameters             solver;
     OutputParameters             output;
 
@@ -281,7 +208,7 @@ namespace fiberloom
     bool
     has_matrix() const
     {
-      return matrix.layers != Layers::none;
+      return stage_settings.describe_matrix();
     }
 
     /** Woven roughly, by coarse fibers that are not in balance at the end. */
@@ -349,9 +276,6 @@ namespace fiberloom
     resolve_preview();
 
     void
-    resolve_matrix();
-
-    void
     declare(ParameterCatalogue &catalogue);
 
     void
@@ -361,6 +285,11 @@ namespace fiberloom
     void
     copy_warp_to_fill(ParameterCatalogue &catalogue) const;
   };
+
+  /** Throws InputError, from @p where on, when a model would have too many,
+   * before anything of this size is built. */
+  void
+  check_number_of_nodes(const double nodes, const std::string &where);
 } // namespace fiberloom
 
 #endif

@@ -14,6 +14,7 @@ namespace fiberloom
 {
   class ParameterCatalogue;
   class Stage;
+  struct FiberSet;
   struct Parameters;
   struct Scene;
 
@@ -30,9 +31,11 @@ namespace fiberloom
     virtual void
     declare(ParameterCatalogue &catalogue) = 0;
 
-    /** Makes entries fit each other that a user need not fit. */
+    /** Gives automatic entries their values, and makes those fit each other
+     * that a user need not fit; called when what does not belong to a stage is
+     * resolved. */
     virtual void
-    resolve()
+    resolve(const Parameters & /*parameters*/)
     {}
 
     /** Throws InputError for what is wrong of them, whether or not @p
@@ -40,7 +43,13 @@ namespace fiberloom
     virtual void
     check(const Parameters &parameters) const = 0;
 
-    /** Of a fabric: what is no fault, but what the user should know. */
+    /** The same of what does not go with the fibers of the scene. */
+    virtual void
+    check_fibers(const Parameters & /*parameters*/,
+                 const FiberSet & /*fibers*/) const
+    {}
+
+    /** What is no fault, but what the user should know. */
     virtual std::vector<std::string>
     notes(const Parameters & /*parameters*/) const
     {
@@ -52,6 +61,13 @@ namespace fiberloom
     keeps_right_angles() const
     {
       return true;
+    }
+
+    /** Whether a matrix is described. */
+    virtual bool
+    describes_matrix() const
+    {
+      return false;
     }
   };
 
@@ -94,6 +110,14 @@ namespace fiberloom
     std::function<std::unique_ptr<Stage>(const Scene &)> create;
     std::function<std::unique_ptr<StageSettings>()>      settings; // or none
 
+    // What other stages and the program have to know of it.
+    bool starts_fabric    = false; // from flat tows: it is the first one
+    bool adds_matrix      = false;
+    bool needs_no_matrix  = false;
+    bool needs_drives     = false;
+    bool only_relaxes     = false; // it leaves a fabric at rest, untested
+    bool moves_own_bodies = false; // other ones than tow ends
+
     bool
     needs_fabric() const
     {
@@ -122,6 +146,11 @@ namespace fiberloom
   /** Throws InputError for an unknown name. */
   const StageType &
   stage_type(const std::string &name);
+
+  /** Whether it is one @p that adds a matrix, or whatever else is asked; false
+   * of an unknown name, as a file of another version may have. */
+  bool
+  is_stage(const std::string &name, bool StageType::*that);
 
   /** "weave, relax, coat": those for which @p is_meant . */
   std::string
@@ -165,10 +194,17 @@ namespace fiberloom
     declare(ParameterCatalogue &catalogue);
 
     void
-    resolve();
+    resolve(const Parameters &parameters);
 
     void
     check(const Parameters &parameters) const;
+
+    void
+    check_fibers(const Parameters &parameters, const FiberSet &fibers) const;
+
+    /** Whether any does. */
+    bool
+    describe_matrix() const;
 
     std::vector<std::string>
     notes(const Parameters &parameters) const;

@@ -131,8 +131,6 @@ namespace fiberloom
     Vector3      an_outside_place; // of one of them [mm]
   };
 
-  struct MatrixParameters;
-
   /**
    * Junctions of the fibers placed at @p q with a matrix at rest, at even
    * distances along each fiber. Filled, all centres of fibers have one. Layers

@@ -6,6 +6,7 @@
 
 #include <fiberloom/beams/fiber_mesh.h>
 
+#include <fiberloom/matrix/matrix_parameters.h>
 #include <fiberloom/matrix/woven_surface.h>
 
 #include <boost/serialization/array.hpp>
@@ -16,8 +17,6 @@
 
 namespace fiberloom
 {
-  struct MatrixParameters;
-
   /** Cells in rows and columns between two faces, edges straight. */
   struct LayerBlock
   {

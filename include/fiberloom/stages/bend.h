@@ -20,7 +20,7 @@ namespace fiberloom
     declare(ParameterCatalogue &catalogue) override;
 
     void
-    resolve() override
+    resolve(const Parameters &) override
     {
       angle.resolve();
     }

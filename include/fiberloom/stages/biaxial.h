@@ -28,7 +28,7 @@ namespace fiberloom
     declare(ParameterCatalogue &catalogue) override;
 
     void
-    resolve() override;
+    resolve(const Parameters &parameters) override;
 
     void
     check(const Parameters &parameters) const override;

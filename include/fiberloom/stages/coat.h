@@ -4,6 +4,7 @@
 #ifndef fiberloom_stages_coat_h
 #define fiberloom_stages_coat_h
 
+#include <fiberloom/stages/coat_settings.h>
 #include <fiberloom/stages/relax.h>
 
 #include <string>

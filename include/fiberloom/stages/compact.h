@@ -11,6 +11,8 @@ namespace fiberloom
   /** Section Compact of the parameter file. */
   struct CompactSettings : public CopyableSettings<CompactSettings>
   {
+    static constexpr const char *stage = "compact";
+
     double thickness       = 0; // between the plates [mm]; one of these three
     double volume_fraction = 0; // of fibers between the plates
     double pressure        = 0; // on the plates [MPa]
@@ -25,7 +27,7 @@ namespace fiberloom
     declare(ParameterCatalogue &catalogue) override;
 
     void
-    resolve() override;
+    resolve(const Parameters &parameters) override;
 
     void
     check(const Parameters &parameters) const override;

@@ -8,6 +8,7 @@
 
 #include <fiberloom/fabric/fiber_points.h>
 
+#include <fiberloom/stages/load_settings.h>
 #include <fiberloom/stages/stage.h>
 
 #include <vector>
@@ -20,7 +21,7 @@ namespace fiberloom
    * Moves and loads fibers as the scene says: each drive is a rigid body that
    * holds some points, whose six dofs follow functions of t or are free under
    * a dead force and moment; loads along the fibers are added. t runs from 0 to
-   * LoadParameters::end while the load of the stage goes from 0 to 1.
+   * LoadSettings::end while the load of the stage goes from 0 to 1.
    */
   class Load : public Stage
   {
@@ -113,6 +114,7 @@ namespace fiberloom
                  const double          t,
                  const std::string    &entry) const;
 
+    const LoadSettings       settings;
     std::vector<Drive>       drives;
     std::vector<FiberPoint>  probes;
     VectorFunction           line_load, gravity;

@@ -4,10 +4,34 @@
 #ifndef fiberloom_stages_weave_h
 #define fiberloom_stages_weave_h
 
+#include <fiberloom/base/choices.h>
+
 #include <fiberloom/stages/tow_ends.h>
 
 namespace fiberloom
 {
+  /** Section Weaving of the parameter file: how overlapping tows are moved
+   * apart. */
+  struct WeaveSettings : public CopyableSettings<WeaveSettings>
+  {
+    WeavingPath path = WeavingPath::automatic;
+    double      step =
+      0.5; // reduction of the allowed overlap per step over the radius
+    unsigned int fast_iterations_per_step = 2;
+    unsigned int coarser_meshes           = 2;
+    double       near_enough = 0; // of a coarser mesh, see Problem; no entry
+
+    void
+    declare(ParameterCatalogue &catalogue) override;
+
+    void
+    resolve(const Parameters &parameters) override;
+
+    void
+    check(const Parameters &) const override
+    {}
+  };
+
   /**
    * Section 4.1 of the paper: from flat tows that interpenetrate, fibers of
    * crossing tows are moved past each other by contacts paired as seen from
@@ -80,6 +104,8 @@ namespace fiberloom
     weave_in_one_increment(State       &state,
                            const State &before,
                            Equilibrium &equilibrium) const;
+
+    const WeaveSettings settings;
 
     double full_overlap; // [mm]
     double radius;       // [mm]

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
-#include <fiberloom/base/matrix_declarations.h>
+#include <fiberloom/base/exceptions.h>
 #include <fiberloom/base/parameter_catalogue.h>
 #include <fiberloom/base/parameters.h>
+
+#include <fiberloom/fabric/usual_values.h>
+
+#include <fiberloom/stages/coat_settings.h>
+
+#include <algorithm>
 
 namespace fiberloom
 {
@@ -58,12 +64,45 @@ namespace fiberloom
                     "through the thickness.",
                     Allowed::whole(1, 2));
     }
+
+    void
+    check_thickness(const MatrixParameters &matrix,
+                    const Parameters       &parameters)
+    {
+      if (matrix.thickness <= matrix.overlap && parameters.has_matrix() &&
+          matrix.layers != Layers::filled)
+        throw InputError(parameters.where("Matrix/Thickness") + " = " +
+                         exact_text(matrix.thickness) +
+                         ": a layer is not thicker than the overlap, " +
+                         exact_text(matrix.overlap) +
+                         "; allowed: more than Matrix/Overlap");
+    }
+
+    void
+    check_size(const MatrixParameters &matrix, const Parameters &parameters)
+    {
+      for (const auto &[entry, size] :
+           {std::pair{"Matrix/Size along x", matrix.size_x},
+            {"Matrix/Size along y", matrix.size_y}})
+        if (parameters.fabric.periodic && size > 0)
+          throw InputError(parameters.where(entry) +
+                           ": a periodic cell has a matrix of its own size; "
+                           "allowed: 0");
+      const double degree = matrix.degree;
+      if (parameters.has_matrix())
+        check_number_of_nodes((matrix.layers == Layers::both ? 2 : 1) *
+                                (degree * matrix.cells_along_x + 1) *
+                                (degree * matrix.cells_along_y + 1) *
+                                (degree * matrix.cells_through_thickness + 1),
+                              parameters.where("Matrix/Cells along x") +
+                                ", along y and through thickness");
+    }
   } // namespace
 
 
 
   void
-  declare_matrix(ParameterCatalogue &catalogue, MatrixParameters &matrix)
+  CoatSettings::declare(ParameterCatalogue &catalogue)
   {
     catalogue.enter_section("Matrix");
     declare_layers(catalogue, matrix);
@@ -92,5 +131,69 @@ namespace fiberloom
                   "which the matrix does not notice it, over the radius.",
                   Allowed::above(1));
     catalogue.leave_section();
+  }
+
+
+
+  void
+  CoatSettings::resolve(const Parameters &parameters)
+  {
+    const auto replace_zero = [](auto &value, const auto automatic) {
+      if (value == 0)
+        value = automatic;
+    };
+    const FabricParameters &fabric = parameters.fabric;
+    const FibersParameters &fibers = parameters.fibers;
+    double                  radius =
+      std::max(fabric.warp.fiber_radius, fabric.fill.fiber_radius);
+    double       element = std::min(fabric.warp.element_length(fabric.fill),
+                              fabric.fill.element_length(fabric.warp));
+    unsigned int cells_along_x = 2 * fabric.fill.tows,
+                 cells_along_y = 2 * fabric.warp.tows;
+    if (!parameters.is_fabric())
+      {
+        radius  = *std::max_element(fibers.radius.begin(), fibers.radius.end());
+        element = 4 * radius;
+        cells_along_x = cells_along_y = 8;
+      }
+    replace_zero(matrix.overlap, radius);
+    replace_zero(matrix.thickness, 6 * radius);
+    replace_zero(matrix.junction_spacing, .5 * element);
+    replace_zero(matrix.cells_along_x, cells_along_x);
+    replace_zero(matrix.cells_along_y, cells_along_y);
+  }
+
+
+
+  void
+  CoatSettings::check(const Parameters &parameters) const
+  {
+    check_thickness(matrix, parameters);
+    check_size(matrix, parameters);
+    if (parameters.has_stage(stage) && !parameters.has_matrix())
+      throw InputError(parameters.where("Stages") +
+                       ": coat has nothing to do, as Matrix/Layers is none; "
+                       "allowed: upper, lower, both or filled there");
+  }
+
+
+
+  std::vector<std::string>
+  CoatSettings::notes(const Parameters &parameters) const
+  {
+    static const UsualRange modulus{
+      "a matrix", 1e-3, 1e6, "MPa", {{"GPa", 1e3}, {"Pa", 1e-6}}};
+    if (!parameters.has_matrix() || is_usual(matrix.young_modulus, modulus))
+      return {};
+    return {parameters.where("Matrix/Young modulus") + ": " +
+            explain_unusual(matrix.young_modulus, modulus)};
+  }
+
+
+
+  const MatrixParameters &
+  matrix_of(const Parameters &parameters)
+  {
+    return parameters.stage_settings.get<CoatSettings>().matrix;
   }
 } // namespace fiberloom
