@@ -394,19 +394,18 @@ namespace fiberloom
     log_timings(writer.stages());
     if (parameters.solver.benchmark)
       log_benchmark(writer.stages());
-    std::error_code unreadable;
+    const std::string &directory = parameters.output_directory;
+    std::error_code    unreadable;
+    const std::string  fields =
+      std::filesystem::exists(directory + "/fibers.pvd", unreadable) ?
+         ".pvd files for ParaView, " :
+         "";
     if (status == 0)
-      log.write(
-        "results in " + parameters.output_directory + ": " +
-        (parameters.output.only_summary ?
-           "summary.json" :
-           "report.html for a first look, " +
-             std::string(std::filesystem::exists(parameters.output_directory +
-                                                   "/fibers.pvd",
-                                                 unreadable) ?
-                           ".pvd files for ParaView, " :
-                           "") +
-             "loading_curve.csv, summary.json"));
+      log.write("results in " + directory + ": " +
+                (parameters.output.only_summary ?
+                   "summary.json" :
+                   "report.html for a first look, " + fields +
+                     "loading_curve.csv, summary.json"));
     return status;
   }
 
