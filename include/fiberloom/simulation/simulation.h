@@ -162,6 +162,10 @@ namespace fiberloom
     void
     log_benchmark(const std::vector<StageStatistics> &stages);
 
+    /** Where they are. */
+    void
+    log_results();
+
     const std::chrono::steady_clock::time_point start =
       std::chrono::steady_clock::now();
     const Parameters               parameters;
