@@ -12,7 +12,7 @@ from program_runs import SMALL_WEAVE, check, check_same, curve, finish, run
 # Iterations that move fibers so little are too few for a large step.
 SETTINGS = ["Biaxial/Largest strain=0.03", "Biaxial/Largest step=1", "Solver/Growth=1",
             "Solver/Largest Newton iterations=8", "Solver/Largest move=0.01",
-            "Solver/Largest loop iterations=20"]
+            "Solver/Largest loop iterations=10"]
 
 
 def rejected(directory):

@@ -18,11 +18,12 @@ namespace fiberloom
     void
     declare_axial_law(ParameterCatalogue &catalogue, AxialLaw &axial_law)
     {
-      catalogue.add("Axial law",
-                    axial_law,
-                    "Of the axial force: that of the solid's law, which grows "
-                    "by 1.5 % more than the stretch at a strain of 1 %, or "
-                    "linear in the stretch, as in theories of rods.");
+      catalogue.add(
+        "Axial law",
+        axial_law,
+        "Law of the axial force: that of the solid, which grows by 1.5 % "
+        "more than the stretch at a strain of 1 %, or linear in the stretch, "
+        "as in theories of rods.");
     }
 
     void

@@ -93,19 +93,19 @@ namespace fiberloom
       catalogue.add(
         "Largest contact passes",
         solver.largest_contact_passes,
-        "Of the nested loops: detections of contact in an increment before "
-        "it is cut.",
+        "Detections of contact in an increment before it is cut, in the nested "
+        "loops.",
         Allowed::whole(1, most_iterations));
       catalogue.add(
         "Largest normal passes",
         solver.largest_normal_passes,
-        "Of the nested loops: updates of the normals for one detection.",
+        "Updates of the normals for one detection, in the nested loops.",
         Allowed::whole(1, most_iterations));
       catalogue.add(
         "Largest Newton iterations",
         solver.largest_newton_iterations,
-        "Of the nested loops, and where nothing touches: Newton iterations "
-        "for one update of the normals.",
+        "Newton iterations for one update of the normals, in the nested loops "
+        "and where nothing touches.",
         Allowed::whole(1, most_iterations));
       catalogue.add("Largest loop iterations",
                     solver.largest_loop_iterations,
@@ -117,11 +117,12 @@ namespace fiberloom
                     "Diagonal added to the tangent while the allowed overlap "
                     "of a weave shrinks, over E r.",
                     Allowed::above(0));
-      catalogue.add("Line search from",
-                    solver.line_search_from,
-                    "Of the nested loops, and where nothing touches: number of "
-                    "Newton iterations after which the energy must decrease.",
-                    Allowed::whole(1, most_iterations));
+      catalogue.add(
+        "Line search from",
+        solver.line_search_from,
+        "Number of Newton iterations after which the energy must decrease, in "
+        "the nested loops and where nothing touches.",
+        Allowed::whole(1, most_iterations));
       catalogue.add(
         "Growth",
         solver.growth,

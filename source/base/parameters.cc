@@ -14,7 +14,6 @@
 #include <ostream>
 #include <regex>
 #include <set>
-#include <sstream>
 
 namespace fiberloom
 {

@@ -15,7 +15,6 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 
 namespace fiberloom
 {

@@ -172,13 +172,4 @@ namespace fiberloom
     return out.str();
   }
 
-
-
-  std::pair<std::size_t, std::size_t>
-  share_of_rank(const std::size_t n, const MPI_Comm comm)
-  {
-    const std::size_t rank  = dealii::Utilities::MPI::this_mpi_process(comm);
-    const std::size_t ranks = dealii::Utilities::MPI::n_mpi_processes(comm);
-    return {n * rank / ranks, n * (rank + 1) / ranks};
-  }
 } // namespace fiberloom

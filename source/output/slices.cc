@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the fiberloom authors
 
-#include <fiberloom/base/exceptions.h>
-
 #include <fiberloom/output/fiber_samples.h>
 #include <fiberloom/output/field_arrays.h>
 #include <fiberloom/output/section_skin.h>
 #include <fiberloom/output/slices.h>
+#include <fiberloom/output/xml_content.h>
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -228,11 +227,6 @@ namespace fiberloom
     data->SetPoints(points);
     data->SetPolys(polygons);
 
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    writer->SetInputData(data);
-    writer->WriteToOutputStringOn();
-    if (writer->Write() == 0)
-      throw StageFailure("a slice could not be encoded for ParaView");
-    return writer->GetOutputString();
+    return xml_content<vtkXMLPolyDataWriter>(data);
   }
 } // namespace fiberloom

@@ -4,7 +4,6 @@
 #include <fiberloom/output/tow_regions.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace fiberloom
 {

@@ -196,19 +196,4 @@ namespace fiberloom
     return sections;
   }
 
-
-
-  TowAspect
-  tow_aspect(const std::vector<TowSection> &sections)
-  {
-    TowAspect aspect;
-    for (std::size_t i = 0; i < sections.size(); ++i)
-      {
-        const double ratio = sections[i].width / sections[i].height;
-        aspect.mean += ratio / sections.size();
-        aspect.smallest = i == 0 ? ratio : std::min(aspect.smallest, ratio);
-        aspect.largest  = std::max(aspect.largest, ratio);
-      }
-    return aspect;
-  }
 } // namespace fiberloom

@@ -2,9 +2,12 @@
 // Copyright (C) 2026 by the fiberloom authors
 
 #include <fiberloom/base/exceptions.h>
+#include <fiberloom/base/scoped_timer.h>
 #include <fiberloom/base/version.h>
 
 #include <fiberloom/beams/breakage.h>
+
+#include <fiberloom/contact/contact_exchange.h>
 
 #include <fiberloom/output/breaks.h>
 #include <fiberloom/output/contact_field.h>
@@ -24,7 +27,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
@@ -33,33 +35,6 @@ namespace fiberloom
 {
   namespace
   {
-    /** Adds its lifetime to a number of seconds. */
-    class SecondsGuard
-    {
-    public:
-      explicit SecondsGuard(double &seconds)
-        : seconds(seconds)
-      {}
-
-      ~SecondsGuard()
-      {
-        seconds += elapsed();
-      }
-
-      double
-      elapsed() const
-      {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() -
-                                             start)
-          .count();
-      }
-
-    private:
-      double                               &seconds;
-      std::chrono::steady_clock::time_point start =
-        std::chrono::steady_clock::now();
-    };
-
     double
     field_time(const State &state)
     {
@@ -191,7 +166,7 @@ namespace fiberloom
                             const State       &state,
                             const Composite   *composite)
   {
-    const SecondsGuard guard(output_seconds);
+    const ScopedTimer guard(output_seconds);
     log_size = log.size();
     count(composite);
     if (parameters.output.only_summary)
@@ -211,8 +186,8 @@ namespace fiberloom
   void
   OutputWriter::operator()(const IncrementReport &report)
   {
-    const SecondsGuard guard(output_seconds);
-    const State       &state = report.state;
+    const ScopedTimer guard(output_seconds);
+    const State      &state = report.state;
     if (state.increment == 0)
       {
         // Where a stage begins; the checkpoint at the end of the one before
@@ -276,7 +251,7 @@ namespace fiberloom
   void
   OutputWriter::show_end(const State &state)
   {
-    const SecondsGuard guard(output_seconds);
+    const ScopedTimer guard(output_seconds);
     if (fabric.rows().empty())
       measure({static_cast<unsigned int>(parameters.stages.size() - 1),
                parameters.stages.back(),
@@ -325,7 +300,7 @@ namespace fiberloom
   void
   OutputWriter::keep(const State &state, const StageStatistics &so_far)
   {
-    const SecondsGuard guard(output_seconds);
+    const ScopedTimer guard(output_seconds);
     if (parameters.output.only_summary ||
         parameters.output.checkpoint_every == 0 || parameters.is_preview())
       return;
@@ -378,14 +353,22 @@ namespace fiberloom
   OutputWriter::write_summary_at(const State &state)
   {
     summary.converged = state.stage == parameters.stages.size();
-    write_summary();
-    summary.converged = false;
+    write_summary_file();
   }
 
 
 
   void
   OutputWriter::write_summary()
+  {
+    summary.converged = false;
+    write_summary_file();
+  }
+
+
+
+  void
+  OutputWriter::write_summary_file()
   {
     summary.stages            = statistics;
     summary.fabric            = fabric.last();
@@ -497,9 +480,9 @@ namespace fiberloom
   {
     const double time = field_time(state);
     const auto [first_fiber, last_fiber] =
-      share_of_rank(mesh.lines().size(), comm);
+      part_of_rank(comm, mesh.lines().size());
     const auto [first_contact, last_contact] =
-      share_of_rank(contacts.size(), comm);
+      part_of_rank(comm, contacts.size());
 
     fiber_series.write(fiber_field(mesh,
                                    state.q,
@@ -522,9 +505,9 @@ namespace fiberloom
     if (composite == nullptr)
       return;
     const auto [first_cell, last_cell] =
-      share_of_rank(composite->matrix().n_cells(), comm);
+      part_of_rank(comm, composite->matrix().n_cells());
     const auto [first_junction, last_junction] =
-      share_of_rank(composite->junctions().size(), comm);
+      part_of_rank(comm, composite->junctions().size());
     matrix_series.write(
       matrix_field(*composite, state.q, first_cell, last_cell), time, label);
     junction_series.write(

@@ -24,7 +24,6 @@
 #include <filesystem>
 #include <iostream>
 #include <sstream>
-#include <utility>
 
 namespace fiberloom
 {

@@ -8,7 +8,6 @@
 #include <fiberloom/solvers/increment.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace fiberloom
 {

@@ -426,15 +426,17 @@ namespace fiberloom
 
 
 
-  void
+  double
   Newton::hold(const Step &step)
   {
     if (is_bounded)
-      bounds.hold(gradient, step.solution, step.increment);
-    else
-      // As if all moved along the step, like one spring.
-      damping += (step.move / largest_move - 1) * dot(gradient, step.solution) /
-                 dot(step.solution, step.solution) / system.stiffness_scale();
+      {
+        bounds.hold(gradient, step.solution, step.increment);
+        return 0;
+      }
+    // As if all moved along the step, like one spring.
+    return (step.move / largest_move - 1) * dot(gradient, step.solution) /
+           dot(step.solution, step.solution) / system.stiffness_scale();
   }
 
 
@@ -467,16 +469,11 @@ namespace fiberloom
         const bool closes = predicts(cut);
         if (!closes && !is_far)
           break;
-        const double before = damping;
-        if (is_far)
-          hold(step);
+        const double more = is_far ? hold(step) : 0;
         // Contacts that are predicted pull as well as push: what they make of
         // the step still has to go down.
         Step next;
-        solve_linear(state,
-                     damping - before,
-                     LinearSolver::Indefinite::shifted,
-                     next);
+        solve_linear(state, more, LinearSolver::Indefinite::shifted, next);
         if (!(next.slope < 0))
           break;
         if (k == 0)

@@ -120,7 +120,7 @@ namespace fiberloom
       damping = std::max(largest_change * damping, least_damping);
     else if (found.cuts == 0 && full == 1 &&
              (is_bounded || actual > good_model))
-      damping = 0;
+      damping = damping > least_damping ? damping / largest_change : 0;
     trusted = found.factor >= 1 && actual > poor_model &&
               (!is_bounded || !is_exact || actual < 1 + trusted_error);
     ends_exactly =

@@ -23,12 +23,13 @@ namespace fiberloom
                     "Where stage coat puts matrix: on the upper side, on the "
                     "lower one, on both, or filled, through the whole "
                     "thickness in one body.");
-      catalogue.add("Thickness",
-                    matrix.thickness,
-                    "Of a layer beyond the outermost skin of the fibers, where "
-                    "its outer face lies flat [mm]; more than the overlap. 0: "
-                    "six times the largest fiber radius.",
-                    Allowed::from_to(0, farthest));
+      catalogue.add(
+        "Thickness",
+        matrix.thickness,
+        "Height of a layer's flat outer face above the outermost skin of the "
+        "fibers [mm]; more than the overlap. 0: six times the largest fiber "
+        "radius.",
+        Allowed::from_to(0, farthest));
       catalogue.add("Overlap",
                     matrix.overlap,
                     "How deep the inner face lies below the woven surface "
@@ -51,15 +52,15 @@ namespace fiberloom
                     Allowed::whole(0, 1000));
       catalogue.add("Cells along y",
                     matrix.cells_along_y,
-                    "The same.",
+                    "Number of cells along y, as along x.",
                     Allowed::whole(0, 1000));
       catalogue.add("Cells through thickness",
                     matrix.cells_through_thickness,
-                    "Of each layer.",
+                    "Number of cells through each layer.",
                     Allowed::whole(1, 100));
       catalogue.add("Degree",
                     matrix.degree,
-                    "Of the polynomials in a cell: 1 or 2. Cells of degree 1 "
+                    "Degree of the polynomials in a cell. Cells of degree 1 "
                     "are too stiff in bending unless there are several "
                     "through the thickness.",
                     Allowed::whole(1, 2));
@@ -120,11 +121,12 @@ namespace fiberloom
                   "Distance of junctions along a fiber [mm]. 0: half an "
                   "element.",
                   Allowed::at_least(0));
-    catalogue.add("Junction stiffness",
-                  matrix.junction_stiffness,
-                  "Of the junctions, per length of fiber [MPa]. 0: 2 pi G / "
-                  "ln(R/r) of the matrix's shear modulus G.",
-                  Allowed::at_least(0));
+    catalogue.add(
+      "Junction stiffness",
+      matrix.junction_stiffness,
+      "Stiffness of the junctions per length of fiber [MPa]. 0: 2 pi G / "
+      "ln(R/r) of the matrix's shear modulus G.",
+      Allowed::at_least(0));
     catalogue.add("Junction reach",
                   matrix.junction_reach,
                   "R/r in that formula: distance from a fiber's axis at "

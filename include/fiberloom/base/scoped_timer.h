@@ -21,9 +21,16 @@ namespace fiberloom
 
     ~ScopedTimer()
     {
-      seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-          .count();
+      seconds += elapsed();
+    }
+
+    /** Of its life so far [s]. */
+    double
+    elapsed() const
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                           start)
+        .count();
     }
 
   private:

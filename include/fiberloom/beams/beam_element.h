@@ -12,7 +12,6 @@
 #include <fiberloom/beams/section_stiffness.h>
 
 #include <array>
-#include <vector>
 
 namespace fiberloom
 {

@@ -65,10 +65,6 @@ namespace fiberloom
     MPI_Comm    comm;
     Entries     all_entries;
   };
-
-  /** Contiguous share of @p n things of this rank: begin and end. */
-  std::pair<std::size_t, std::size_t>
-  share_of_rank(const std::size_t n, const MPI_Comm comm);
 } // namespace fiberloom
 
 #endif

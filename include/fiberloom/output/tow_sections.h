@@ -65,17 +65,6 @@ namespace fiberloom
                const FiberMesh   &mesh,
                const DofVector   &q,
                const unsigned int tow);
-
-  /** Width over height of the sections of tows: smallest, mean and largest. */
-  struct TowAspect
-  {
-    double smallest = 0;
-    double mean     = 0;
-    double largest  = 0;
-  };
-
-  TowAspect
-  tow_aspect(const std::vector<TowSection> &sections);
 } // namespace fiberloom
 
 #endif

@@ -155,6 +155,10 @@ namespace fiberloom
     void
     write_summary_at(const State &state);
 
+    /** With the statistics of the stages seen so far. */
+    void
+    write_summary_file();
+
     /** For summary.json. */
     void
     count(const Composite *composite);

@@ -7,7 +7,6 @@
 #include <fiberloom/model/block_matrix.h>
 
 #include <memory>
-#include <vector>
 
 namespace fiberloom
 {

@@ -191,9 +191,10 @@ namespace fiberloom
     bool
     predict(const State &state, const Problem &problem, Step &step);
 
-    /** Stiffens the matrix against fibers that @p step moves too far, by their
-     * bounds or else by Levenberg's diagonal, which the next solution adds. */
-    void
+    /** Holds fibers that @p step moves too far: by their own bounds, which are
+     * added to the matrix, or by what is returned, which the next solution is
+     * to add to the whole diagonal, over E r. */
+    double
     hold(const Step &step);
 
     /** By the tangent as it is, or by one that is nearly definite. */
