@@ -23,12 +23,19 @@ namespace fiberloom
    * A sparse matrix of dense blocks, of which each rank holds the rows of the
    * blocks it owns: a Trilinos operator for Krylov methods whose entries are
    * written without a search for single columns. The pattern is symmetric.
+   *
+   * Its entries are derivatives of forces by increments of the unknowns: [N/mm]
+   * between displacements, [N] between a displacement and a rotation of a body,
+   * [N mm] between two rotations. Section 7 of the theory.
    */
   class BlockMatrix : public Epetra_Operator
   {
   public:
-    /** Rotations of bodies count as displacements at @p lever [mm]; the matrix
-     * around the fibers is as stiff as @p matrix_weight times these. */
+    /**
+     * Rotations of bodies count as displacements at @p lever [mm]; the matrix
+     * around the fibers is as stiff as @p matrix_weight times these. @p layout
+     * is kept by reference. There is no pattern before reinit().
+     */
     BlockMatrix(const BlockLayout &layout,
                 const double       lever,
                 const double       matrix_weight = 1);
@@ -41,108 +48,151 @@ namespace fiberloom
     void
     reinit(std::vector<std::vector<unsigned int>> columns);
 
+    /**
+     * Sets all blocks to zero and forgets what add_to_diagonal() has added. The
+     * pattern and the outer products stay.
+     */
     void
     set_zero();
 
-    /** Leaves of blocks that are not @p kept only @p diagonal . */
+    /**
+     * Uncouples the blocks that are not @p kept : their rows and columns become
+     * zero, with @p diagonal [N/mm] on the diagonal. @p kept has one entry for
+     * each block of the layout.
+     */
     void
     isolate(const std::vector<char> &kept, const double diagonal);
 
-    /** Adds @p value to the diagonal entries of fibers and of displacements,
-     * times the lever squared to those of rotations, times its weight to those
-     * of the matrix. */
+    /**
+     * Adds @p value [N/mm] to the diagonal entries of fibers and of
+     * displacements, times the lever squared to those of rotations, times the
+     * matrix's weight to those of the matrix.
+     */
     void
     add_to_diagonal(const double value);
 
-    /** Its product with the owned part of a vector. */
+    /**
+     * The product with @p x ; argument and result are the owned parts of the
+     * vectors, BlockLayout::n_owned_dofs() entries each. Collective.
+     */
     std::vector<double>
     times(const std::vector<double> &x) const;
 
-    /** Adds @p values , one for each fiber node, to the diagonal entries of its
-     * block. */
+    /**
+     * Adds @p values [N/mm], one for each fiber node, to the nine diagonal
+     * entries of its block. least_addition() does not count these.
+     */
     void
     add_to_diagonal(const std::vector<double> &values);
 
-    /** The least of what the first of them has added to displacements since all
-     * was zero. */
+    /**
+     * The least sum that add_to_diagonal() with a single value has added to any
+     * displacement since all was zero [N/mm].
+     */
     double
     least_addition() const;
 
     /**
-     * Adds row * column^T, given on @p blocks , to products, and to nothing
-     * else: what makes the matrix unsymmetric is no part of its factor. All
-     * blocks are coupled to the owned ones among them in the pattern.
+     * Adds row * column^T to products, and to nothing else: what makes the
+     * matrix unsymmetric is no part of its factor. @p row and @p column hold
+     * the dofs of @p blocks , one block after the other. All blocks are coupled
+     * to the owned ones among them in the pattern.
      */
     void
     add_outer_product(const std::vector<unsigned int> &blocks,
                       const Eigen::VectorXd           &row,
                       const Eigen::VectorXd           &column);
 
+    /** Forgets all outer products that were added. */
     void
     remove_outer_products();
 
-    /** From here on products have these parts. */
+    /** From here on products include the outer products. */
     void
     use_outer_products()
     {
       outer_products_used = true;
     }
 
-    /** From here on they do not, as at first. */
+    /** From here on products do not include the outer products, as at first. */
     void
     leave_out_outer_products()
     {
       outer_products_used = false;
     }
 
-    /** Where the block (row, column) is stored, row by row; the row is owned.
+    /**
+     * The block ( @p row , @p column ), stored row by row: layout().size(
+     * @p row ) times layout().size( @p column ) entries. @p row is owned, and
+     * the pattern holds @p column ; debug builds check that.
      */
     double *
     block(const unsigned int row, const unsigned int column);
 
+    /** The same for reading. */
     const double *
     block(const unsigned int row, const unsigned int column) const;
 
+    /** Numbering and ownership of rows and columns. */
     const BlockLayout &
     layout() const
     {
       return numbering;
     }
 
-    /** Blocks coupled to the owned block number @p local_row . */
+    /**
+     * Sorted numbers of the blocks coupled to the owned block number
+     * @p local_row , itself included.
+     */
     const std::vector<unsigned int> &
     columns(const unsigned int local_row) const
     {
       return column_blocks[local_row];
     }
 
+    /**
+     * The block in the owned row @p local_row and in the column columns(
+     * @p local_row )[ @p index ], stored row by row as in block().
+     */
     const double *
     values(const unsigned int local_row, const unsigned int index) const
     {
       return data.data() + offsets[local_row][index];
     }
 
+    /** The same for writing. */
     double *
     values(const unsigned int local_row, const unsigned int index)
     {
       return data.data() + offsets[local_row][index];
     }
 
-    /** Number of patterns so far. */
+    /**
+     * Number of patterns that reinit() has set so far; one that it has kept
+     * does not count.
+     */
     unsigned int
     pattern_version() const
     {
       return version;
     }
 
-    /** Values that a product needs from other ranks, summed over all of them.
-     * Collective. */
+    /**
+     * Number of values that a product needs from other ranks, summed over all
+     * of them. Collective.
+     */
     std::size_t
     n_exchanged() const;
 
+    /**
+     * Multiplies @p x by the matrix into @p y , for vectors distributed by
+     * OperatorDomainMap(). Returns the error code of Trilinos, 0 if there is
+     * none. Collective.
+     */
     int
     Apply(const Epetra_MultiVector &x, Epetra_MultiVector &y) const override;
 
+    /** There is no inverse here: returns -1. */
     int
     ApplyInverse(const Epetra_MultiVector &,
                  Epetra_MultiVector &) const override
@@ -199,7 +249,11 @@ namespace fiberloom
     }
 
   private:
-    /** Of a product with the vector @p in of all columns, into @p out . */
+    /**
+     * Multiplies the owned row number @p row by @p in , which holds the dofs of
+     * all columns, and writes the result to @p out . @p height is the number of
+     * dofs of that row, or Eigen::Dynamic.
+     */
     template <int height>
     void
     multiply_row(const unsigned int row, const double *in, double *out) const;

@@ -18,10 +18,20 @@
 namespace fiberloom
 {
   // What terms add to an Assembly: groups of nodes with their part of the
-  // residual and of the tangent, block by block. Where all blocks have nine
-  // dofs, their types say so.
+  // residual and of the tangent, block by block. Each group has
+  //
+  //   nodes           the n nodes by number, see BlockLayout,
+  //   force(a)        the gradient of its energy by the dofs of node a [N],
+  //   stiffness(a, b) the Hessian by the dofs of nodes a and b [N/mm],
+  //
+  // where a and b count the nodes of the group from 0. A block has 9 dofs for
+  // a fiber node (x0, r g1, r g2) and 3 for a node of the matrix. Where all
+  // blocks have nine dofs, their types say so.
 
-  /** A beam element's contribution: blocks cut from its own matrices. */
+  /**
+   * A beam element's contribution: blocks cut from its own matrices. Section
+   * 1.7 of the theory.
+   */
   struct ElementGroup
   {
     static constexpr unsigned int n_nodes = 3;
@@ -30,12 +40,14 @@ namespace fiberloom
     BeamElement::Vector               residual;
     BeamElement::Matrix               tangent;
 
+    /** The nine entries of node @p a [N]. */
     auto
     force(const unsigned int a) const
     {
       return residual.segment<9>(9 * a);
     }
 
+    /** The 9 x 9 block of nodes @p a and @p b [N/mm]. */
     auto
     stiffness(const unsigned int a, const unsigned int b) const
     {
@@ -43,7 +55,11 @@ namespace fiberloom
     }
   };
 
-  /** A contact's: the pair of sections spread over the nodes by weights. */
+  /**
+   * A contact's contribution: the pair of sections spread over the three nodes
+   * of each fiber's element by the weights of the shape functions. Section 2.5
+   * of the theory.
+   */
   struct ContactGroup
   {
     static constexpr unsigned int n_nodes = 6;
@@ -53,6 +69,10 @@ namespace fiberloom
     SectionPair                       residual;
     SectionPair2                      tangent;
 
+    /**
+     * Takes nodes and weights from @p contact . Residual and tangent, by the 18
+     * dofs of the two sections, are left to evaluate_contact().
+     */
     explicit ContactGroup(const ContactElement &contact)
     {
       for (unsigned int a = 0; a < n_nodes; ++a)
@@ -62,12 +82,14 @@ namespace fiberloom
         }
     }
 
+    /** Weight of node @p a times the nine entries of its section [N]. */
     auto
     force(const unsigned int a) const
     {
       return weights[a] * residual.segment<9>(9 * (a / 3));
     }
 
+    /** Both weights times the 9 x 9 block of the two sections [N/mm]. */
     auto
     stiffness(const unsigned int a, const unsigned int b) const
     {
@@ -76,12 +98,16 @@ namespace fiberloom
     }
   };
 
-  /** That of one whose points follow the fibers. */
+  /**
+   * The contribution of a contact whose points follow the fibers, see
+   * ContactPotential. Section 4.4 of the theory.
+   */
   struct PotentialGroup
   {
     ContactPotential          potential;
     std::vector<unsigned int> nodes;
 
+    /** Copies the nodes that the potential has. */
     void
     set_nodes()
     {
@@ -89,6 +115,9 @@ namespace fiberloom
                    potential.nodes.begin() + potential.n);
     }
 
+    /**
+     * Shape function of node @p a times the nine entries of its section [N].
+     */
     Eigen::Matrix<double, 9, 1>
     force(const unsigned int a) const
     {
@@ -96,6 +125,7 @@ namespace fiberloom
              potential.residual.segment<9>(9 * potential.fiber[a]);
     }
 
+    /** The 9 x 9 block of nodes @p a and @p b [N/mm]. */
     Eigen::Matrix<double, 9, 9>
     stiffness(const unsigned int a, const unsigned int b) const
     {
@@ -111,6 +141,9 @@ namespace fiberloom
     std::array<unsigned int, n_nodes> nodes;
     Vector3                           outer_force;
 
+    /**
+     * The residual of an outer force is its negative [N]; it acts on x0 alone.
+     */
     Eigen::Matrix<double, 9, 1>
     force(const unsigned int) const
     {
@@ -119,6 +152,7 @@ namespace fiberloom
       return force;
     }
 
+    /** Zero, since the force is dead. */
     Eigen::Matrix<double, 9, 9>
     stiffness(const unsigned int, const unsigned int) const
     {
@@ -134,6 +168,10 @@ namespace fiberloom
     Eigen::VectorXd           residual;
     Eigen::MatrixXd           tangent;
 
+    /**
+     * Sets nodes, and where the dofs of each begin in the residual and the
+     * tangent, which are left to the caller.
+     */
     void
     set_nodes(const std::vector<unsigned int> &node_numbers,
               const BlockLayout               &layout)
@@ -144,18 +182,21 @@ namespace fiberloom
         offsets.push_back(offsets.back() + layout.size(node));
     }
 
+    /** Number of dofs of node @p a : 9 or 3. */
     unsigned int
     size(const unsigned int a) const
     {
       return offsets[a + 1] - offsets[a];
     }
 
+    /** The size( @p a ) entries of node @p a [N]. */
     auto
     force(const unsigned int a) const
     {
       return residual.segment(offsets[a], size(a));
     }
 
+    /** The size( @p a ) x size( @p b ) block of nodes @p a and @p b [N/mm]. */
     auto
     stiffness(const unsigned int a, const unsigned int b) const
     {
@@ -163,6 +204,9 @@ namespace fiberloom
     }
   };
 
+  /**
+   * The nodes of cell number @p cell of the matrix, numbered as in the system.
+   */
   inline std::vector<unsigned int>
   nodes_of_cell(const Composite &composite, const unsigned int cell)
   {
@@ -172,6 +216,10 @@ namespace fiberloom
     return nodes;
   }
 
+  /**
+   * The nodes of @p junction , numbered as in the system: three of the fiber,
+   * then those of the matrix.
+   */
   inline std::vector<unsigned int>
   nodes_of_junction(const Composite &composite, const JunctionElement &junction)
   {
@@ -182,12 +230,20 @@ namespace fiberloom
     return nodes;
   }
 
-  /** A junction: the same spring along each axis, spread by weights. */
+  /**
+   * A junction: a spring k between a particle of a fiber and one of the matrix,
+   * the same along each axis, spread over the nodes by weights. Section 6.3 of
+   * the theory.
+   */
   struct JunctionGroup
   {
     std::vector<unsigned int> nodes;
     Vector3                   fiber_force;
 
+    /**
+     * Junction number @p junction where fibers and matrix are at @p q , see
+     * State. Keeps references to the junction and to @p layout .
+     */
     JunctionGroup(const Composite   &composite,
                   const unsigned int junction,
                   const DofVector   &q,
@@ -198,19 +254,28 @@ namespace fiberloom
       , layout(layout)
     {}
 
+    /** Number of dofs of node @p a : 9 for a fiber, 3 for the matrix. */
     unsigned int
     size(const unsigned int a) const
     {
       return layout.size(nodes[a]);
     }
 
-    /** Of vector number @p v of node @p a , see JunctionElement::weights(). */
+    /**
+     * Weight of vector number @p v of node @p a , see
+     * JunctionElement::weights(): of x0, r g1 or r g2 where @p a < 3, else of
+     * the one position ( @p v = 0).
+     */
     double
     weight(const unsigned int a, const unsigned int v) const
     {
       return element.weights()[a < 3 ? 3 * a + v : 6 + a];
     }
 
+    /**
+     * By which multiple of the 3 x 3 unit matrix vector @p v of node @p a and
+     * vector @p w of node @p b are coupled [N/mm].
+     */
     double
     stiffness_of(const unsigned int a,
                  const unsigned int v,
@@ -220,6 +285,7 @@ namespace fiberloom
       return element.spring() * weight(a, v) * weight(b, w);
     }
 
+    /** The size( @p a ) entries of node @p a [N]. */
     Eigen::VectorXd
     force(const unsigned int a) const
     {
@@ -229,6 +295,7 @@ namespace fiberloom
       return force;
     }
 
+    /** The size( @p a ) x size( @p b ) block of nodes @p a and @p b [N/mm]. */
     Eigen::MatrixXd
     stiffness(const unsigned int a, const unsigned int b) const
     {
