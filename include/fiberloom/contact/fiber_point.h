@@ -13,13 +13,21 @@
 
 namespace fiberloom
 {
-  /** A point of a fiber: the section there, as in SectionPair, and its
-   * derivatives by u. */
+  /**
+   * A point of a fiber: the nine components x = (x0, r g1, r g2) of the section
+   * there [mm], as in SectionPair, and their first and second derivatives by
+   * the parameter u of FiberMesh [mm]. They follow from the shape functions of
+   * contact, see LineWeights, so that they are continuous over element borders.
+   */
   struct FiberPoint
   {
     LineWeights                 weights;
     Eigen::Matrix<double, 9, 1> x, slope, second;
 
+    /**
+     * The point of the fiber @p line at the parameter @p u where the dofs of
+     * all nodes are @p q .
+     */
     FiberPoint(const FiberMesh::Line &line, const DofVector &q, const double u)
       : weights(line, u)
       , x(Eigen::Matrix<double, 9, 1>::Zero())
@@ -35,25 +43,30 @@ namespace fiberloom
         }
     }
 
+    /** Point of the centre line, x0 [mm]. */
     Vector3
     center() const
     {
       return x.head<3>();
     }
 
+    /** Section vector r g1 ( @p k = 0) or r g2 ( @p k = 1) [mm]. */
     Vector3
     vector(const unsigned int k) const
     {
       return x.segment<3>(3 + 3 * k);
     }
 
-    /** Across the section, not of unit length. */
+    /**
+     * r g1 x r g2, which is across the section and not of unit length [mm^2].
+     */
     Vector3
     axis() const
     {
       return vector(0).cross(vector(1));
     }
 
+    /** Derivative of axis() by u [mm^2]. */
     Vector3
     axis_slope() const
     {
@@ -61,12 +74,14 @@ namespace fiberloom
              vector(0).cross(slope.segment<3>(6));
     }
 
+    /** Unit vector across the section. */
     Vector3
     tangent() const
     {
       return axis().normalized();
     }
 
+    /** Derivative of tangent() by u. */
     Vector3
     tangent_slope() const
     {
@@ -76,10 +91,16 @@ namespace fiberloom
     }
   };
 
+  /** The two points of a contact, in the order of its fibers. */
   using PointPair = std::array<FiberPoint, 2>;
 
-  /** The two points of @p contact , moved to where they belong at @p q ; or it
-   * is marked as lost. */
+  /**
+   * The two points of @p contact where the dofs of the fibers are @p q . They
+   * are moved as ContactElement::following says, on the plane across the
+   * intermediate geometry or to where the fibers are closest, by Newton's
+   * method in u, and stored in @p contact . Where they are not found,
+   * @p contact is marked as lost.
+   */
   PointPair
   followed_points(ContactElement  &contact,
                   const FiberMesh &mesh,

@@ -26,13 +26,20 @@ namespace fiberloom
   class Assembly
   {
   public:
+    /**
+     * Arguments are kept by reference. Residual and tangent are those of the
+     * blocks that this rank owns in @p layout .
+     */
     Assembly(const Motion      &motion,
              const Supports    &supports,
              const BlockLayout &layout,
              BlockMatrix       &matrix);
 
-    /** From here on, only what touches one of these blocks adds up, all if
-     * there are none; the tangent in @p matrix . */
+    /**
+     * From here on, only what touches one of @p blocks adds up, the tangent in
+     * @p matrix ; @p blocks has one entry for each block of the layout, or none
+     * if all of them count.
+     */
     void
     restrict_to(std::vector<char> blocks, BlockMatrix &matrix);
 
@@ -49,13 +56,18 @@ namespace fiberloom
       return taken.empty() || taken[block];
     }
 
-    /** From zero, at @p state , which has to stay until all is added. @p
-     * curvature : of the tangent of fibers, and of contacts whose points follow
-     * them; none: no tangent. */
+    /**
+     * Starts a sum from zero at @p state , which has to stay until all is
+     * added. @p curvature : of the tangent of fibers, and of contacts whose
+     * points follow them; none: no tangent.
+     */
     void
     begin(const State &state, const Curvature curvature);
 
-    /** To what is there, the tangent included; @p state as in begin(). */
+    /**
+     * Goes on with the sum that is there, the tangent included, at @p state as
+     * in begin().
+     */
     void
     go_on(const State &state)
     {
@@ -63,27 +75,34 @@ namespace fiberloom
       adds_tangent = true;
     }
 
+    /** Whether a tangent is asked for in addition to the residual. */
     bool
     with_tangent() const
     {
       return adds_tangent;
     }
 
+    /** Which part of the Hessian the tangent is to have, see begin(). */
     Curvature
     curvature() const
     {
       return curvature_of_energy;
     }
 
+    /** The tangent: [N/mm] between displacements, see BlockMatrix. */
     BlockMatrix &
     matrix()
     {
       return *tangent;
     }
 
-    /** Whether this rank owns something of what is to be added. @p images :
-     * what the nodes are images of; empty where they are nodes of the system.
-     * So for scatter(). */
+    /**
+     * Whether this rank owns a block to which the @p n nodes at @p nodes add
+     * something: one of them, or the body or cell that moves it. Always false
+     * where the sum is restricted to other blocks. @p images : what the nodes
+     * are images of; empty where they are nodes of the system. scatter() takes
+     * the same.
+     */
     bool
     touches_owned(const unsigned int           *nodes,
                   const unsigned int            n,
@@ -103,22 +122,34 @@ namespace fiberloom
         });
     }
 
-    /** Adds nodes, force(a) and stiffness(a, b) of @p group . */
+    /**
+     * Adds force(a) and, where a tangent is asked for, stiffness(a, b) of the
+     * nodes of @p group to the owned rows; see element_groups.h for shapes and
+     * units. What acts on held nodes and images goes to the unknowns that move
+     * them, see HeldGroup. All blocks have to be in the pattern of the matrix.
+     */
     template <class Group>
     void
     scatter(const Group &group, const std::vector<NodeImage> &images = {});
 
-    /** For add_product(). */
+    /** A group of @p nodes for add_product(), whose forces are zero so far. */
     HeldGroup
     held_group(const std::vector<unsigned int> &nodes,
                const std::vector<NodeImage>    &images) const;
 
-    /** Adds the product of two vectors, given as forces of the same nodes, to
-     * products of the tangent. */
+    /**
+     * Adds the product rows * columns^T of two vectors, given as forces of the
+     * same nodes, to products of the tangent, see
+     * BlockMatrix::add_outer_product(). Fixed dofs have no part in it.
+     * Transforms both groups.
+     */
     void
     add_product(HeldGroup &rows, HeldGroup &columns);
 
-    /** Forces of an owned block, for what adds without a group. */
+    /**
+     * The residual of the owned block number @p local_block , as many entries
+     * as it has dofs [N], for what adds to it without a group.
+     */
     double *
     forces(const unsigned int local_block)
     {
@@ -132,24 +163,25 @@ namespace fiberloom
       largest = std::max(largest, force);
     }
 
-    /** Of those that were noted. */
+    /** The largest force noted since begin() [N]. */
     double
     largest_force() const
     {
       return largest;
     }
 
-    /** From here on the largest of all ranks. */
+    /** Makes largest_force() that of all ranks. Collective. */
     void
     reduce_largest_force();
 
-    /** Owned dofs. */
+    /** The residual by owned dofs: forces [N], moments on bodies [N mm]. */
     const std::vector<double> &
     residual() const
     {
       return sum;
     }
 
+    /** Exchanges the residual with @p other , which has as many entries. */
     void
     swap_residual(std::vector<double> &other)
     {

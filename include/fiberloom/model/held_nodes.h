@@ -16,15 +16,21 @@
 
 namespace fiberloom
 {
+  /**
+   * The nine components of a fiber node: of its dofs x0, r g1, r g2 [mm], of
+   * their change, or of the forces on them [N].
+   */
   using NodeVector = Eigen::Matrix<double, 9, 1>;
 
-  /** cross_matrix(v) w = v x w. */
+  /** The matrix of the cross product: cross_matrix(v) w = v x w. */
   Matrix3
   cross_matrix(const Vector3 &v);
 
   /**
    * The dofs of a held node after its body went from @p before to @p after and
-   * its components along the attachment's frame changed by @p local_change .
+   * its components along the attachment's frame changed by @p local_change ,
+   * all in [mm]. The motion is finite: the node follows its body rigidly.
+   * Section 3.1 of the theory.
    */
   NodeVector
   move_held_node(const Attachment &attachment,
@@ -34,8 +40,8 @@ namespace fiberloom
                  const NodeVector &local_change);
 
   /**
-   * The local change with which move_held_node() goes from @p dofs_before to
-   * @p dofs_after , to first order.
+   * The local change [mm] with which move_held_node() goes from @p dofs_before
+   * to @p dofs_after , to first order. Held components do not change.
    */
   NodeVector
   local_change(const Attachment &attachment,
@@ -46,11 +52,21 @@ namespace fiberloom
 
   /**
    * Forces and stiffness of a group of nodes, of fibers or of the matrix, some
-   * of which are held by rigid bodies, transformed to the unknowns of System:
-   * dq = F dq_local + dc + dtheta x (q - c), with the second derivative of the
-   * rotation in the tangent, since the map from the unknowns to the dofs is not
-   * linear. Images in a periodic cell go with their originals and with the
-   * elongations of the cell, which is linear.
+   * of which are held by rigid bodies, transformed to the unknowns of System.
+   * Each of the vectors x0, r g1, r g2 of a held node moves by
+   *
+   * dq = R F dq_local + dc + dtheta x (q - c),
+   *
+   * the section vectors without dc and c, where R is the rotation of the body
+   * and F the frame of the attachment; so the forces become T^T f and the
+   * stiffness T^T K T, section 3.1 of the theory. The second derivative of the
+   * rotation is added to the tangent, since the map from the unknowns to the
+   * dofs is not linear. Images in a periodic cell go with their originals and
+   * with the elongations of the cell, which is linear.
+   *
+   * To use it, set forces and stiffness by the dofs of all nodes, call
+   * transform() once, and add what force() and stiffness() then have for each
+   * block.
    */
   class HeldGroup
   {
@@ -62,14 +78,23 @@ namespace fiberloom
       forces_and_stiffness
     };
 
-    /** @p images : what each node is the image of; empty where @p nodes are
-     * originals. */
+    /**
+     * @p nodes : nodes of the group, by number. @p attachment_of_node : index
+     * into the attachments of @p supports by node of the system, -1 where it is
+     * free, see Motion. @p images : what each node is the image of; empty where
+     * @p nodes are originals. @p supports and @p layout are kept by reference.
+     * Forces and stiffness begin as zero.
+     */
     HeldGroup(const dealii::ArrayView<const unsigned int> &nodes,
               const std::vector<int>                      &attachment_of_node,
               const Supports                              &supports,
               const BlockLayout                           &layout,
               const std::vector<NodeImage>                &images = {});
 
+    /**
+     * Sets the force on node @p a of the group to @p value [N]: nine entries
+     * for a fiber node, three for a node of the matrix.
+     */
     template <class Vector>
     void
     set_force(const unsigned int a, const Vector &value)
@@ -77,6 +102,11 @@ namespace fiberloom
       forces.segment(offset(a), size(a)) = value;
     }
 
+    /**
+     * Sets the stiffness between the nodes @p a and @p b of the group to
+     * @p value [N/mm]: 9 x 9 entries between fiber nodes, 3 x 3 between nodes
+     * of the matrix, 9 x 3 or 3 x 9 in between.
+     */
     template <class Matrix>
     void
     set_stiffness(const unsigned int a,
@@ -86,29 +116,51 @@ namespace fiberloom
       matrix.block(offset(a), offset(b), size(a), size(b)) = value;
     }
 
+    /**
+     * Transforms what was set, by the dofs of all nodes, to the unknowns. @p q
+     * : the dofs of all nodes, see State; @p placements : where the bodies are.
+     * With Parts::forces the stiffness stays as it was set.
+     */
     void
     transform(const DofVector              &q,
               const std::vector<Placement> &placements,
               const Parts                   parts);
 
+    /**
+     * Number of blocks that are touched: one for each node of the group, then
+     * one for each body that moves some of them.
+     */
     unsigned int
     n_blocks() const
     {
       return blocks.size();
     }
 
+    /**
+     * Number of the block in the layout; for an image it is that of its
+     * original, so that several may be the same.
+     */
     unsigned int
     block(const unsigned int a) const
     {
       return blocks[a];
     }
 
+    /**
+     * Force on block @p a , as many entries as the block has unknowns: 9 or 3
+     * for a node [N], 6 for a body, three forces [N] and three moments about
+     * its reference point [N mm].
+     */
     Eigen::VectorXd
     force(const unsigned int a) const
     {
       return forces.segment(offset(a), size(a));
     }
 
+    /**
+     * Stiffness between the blocks @p a and @p b : [N/mm] between
+     * displacements, [N] and [N mm] where rotations of bodies take part.
+     */
     Eigen::MatrixXd
     stiffness(const unsigned int a, const unsigned int b) const
     {
@@ -128,11 +180,18 @@ namespace fiberloom
       return offsets[a + 1] - offsets[a];
     }
 
-    /** Of a body among the blocks, where it is added if it is not there. */
+    /**
+     * Where the body's @p block is among the blocks; it is added if it is not
+     * there.
+     */
     unsigned int
     position_of_body(const unsigned int block);
 
-    /** Of the held node @p a with so many dofs. */
+    /**
+     * Transforms forces and stiffness of the held node @p a , which has
+     * @p n_dofs dofs; adds the second derivative of the rotation to
+     * @p geometric .
+     */
     template <int n_dofs>
     void
     transform_node(const unsigned int            a,
@@ -141,13 +200,18 @@ namespace fiberloom
                    const Parts                   parts,
                    Eigen::MatrixXd              &geometric);
 
-    /** Of the node @p a that goes with the cell. */
+    /**
+     * Transforms forces and stiffness of node @p a , which goes with the cell.
+     */
     template <int n_dofs>
     void
     transform_carried(const unsigned int a, const Parts parts);
 
-    /** Of a node with these changes of its dofs by its unknowns, which replace
-     * them, and by those of its body. */
+    /**
+     * Transforms forces and stiffness of node @p a : @p basis is the change of
+     * its dofs by its unknowns, which replace them, @p motion that by the six
+     * unknowns of its body.
+     */
     template <int n_dofs>
     void
     apply(const unsigned int                           a,

@@ -21,7 +21,11 @@
 
 namespace fiberloom
 {
-  /** Where everything was at an earlier load; nowhere where q is empty. */
+  /**
+   * Where everything was at an earlier load: dofs as in State::q [mm],
+   * placements of the bodies, and that load. It knows of nothing where q is
+   * empty.
+   */
   struct Past
   {
     DofVector              q;
@@ -31,8 +35,10 @@ namespace fiberloom
 
 
 
-  /** Where a stage that starts on coarser meshes goes on from, carried over
-   * from them; nowhere where q is empty. */
+  /**
+   * Where a stage that starts on coarser meshes goes on from, carried over from
+   * them to this mesh. It knows of nothing where q is empty.
+   */
   struct CoarseRest
   {
     DofVector              q;
@@ -76,6 +82,12 @@ namespace fiberloom
     std::vector<std::string> stages_done;
     std::vector<std::string> scene_stages; // of the run that wrote it
 
+    /**
+     * Enters stage number @p number of the scene: counts increments and load
+     * from 0, lets the stage choose its first step, and forgets the reactions,
+     * the work and the past of the stage before. Placement, contacts and what
+     * materials remember stay.
+     */
     void
     begin_stage(const unsigned int number)
     {
@@ -89,7 +101,7 @@ namespace fiberloom
       coarse = {};
     }
 
-    /** Empty after the last one. */
+    /** Name of the stage that the state is in; empty after the last one. */
     std::string
     stage_name() const
     {
