@@ -11,7 +11,7 @@ namespace fiberloom
 {
   struct JunctionGroup;
 
-  /** Of a composite. */
+  /** A term of a composite, which needs its matrix or junctions. */
   class CompositeTerm : public Term
   {
   public:
@@ -64,7 +64,9 @@ namespace fiberloom
     rounding() const override;
 
   private:
-    /** Of a group whose nodes no body holds: its blocks are diagonal. */
+    /**
+     * Adds @p group , whose nodes no body holds: its 3 x 3 blocks are diagonal.
+     */
     static void
     scatter_diagonals(const JunctionGroup &group, Assembly &sum);
   };

@@ -22,25 +22,37 @@ namespace fiberloom
     /** Arguments are kept by reference. */
     ContactTerm(const FiberMesh &mesh, const BlockLayout &layout);
 
-    /** Of those that @p sum takes. */
+    /**
+     * Calls @p couple with the blocks of each of the @p contacts that @p sum
+     * takes.
+     */
     void
     visit_couplings(const std::vector<ContactElement> &contacts,
                     const Assembly                    &sum,
                     const CouplingVisitor             &couple) const;
 
-    /** Of those that @p sum takes; stores their forces. */
+    /**
+     * Adds residual and tangent of those @p contacts that @p sum takes, and
+     * stores their forces.
+     */
     void
     add(const State                 &state,
         std::vector<ContactElement> &contacts,
         Assembly                    &sum) const;
 
-    /** Of the stiffness_added of @p contacts alone. */
+    /**
+     * Adds the stiffness_added of @p contacts alone to the tangent of @p sum ,
+     * and the force that open ones get by it.
+     */
     void
     add_stiffness(const State                       &state,
                   const std::vector<ContactElement> &contacts,
                   Assembly                          &sum) const;
 
-    /** This rank's part of those that @p sum takes [N mm]. */
+    /**
+     * This rank's part of the energy of those @p contacts that @p sum takes [N
+     * mm].
+     */
     double
     energy(const State                       &state,
            const std::vector<ContactElement> &contacts,
@@ -70,19 +82,21 @@ namespace fiberloom
              sum.takes(original(contact.first_nodes[1]));
     }
 
-    /** Whose points stand still. */
+    /** Adds a contact whose points stand still. */
     void
     add_fixed(const DofVector &q, ContactElement &contact, Assembly &sum) const;
 
-    /** Whose points follow the fibers. */
+    /** Adds a contact whose points follow the fibers. */
     void
     add_following(const DofVector &q,
                   ContactElement  &contact,
                   PotentialGroup  &normal,
                   Assembly        &sum) const;
 
-    /** What friction's limit, which follows the normal force, adds to products
-     * of the tangent. */
+    /**
+     * Adds to products of the tangent how friction's limit follows the normal
+     * force.
+     */
     void
     couple_limit(const ContactElement &contact,
                  const ContactGroup   &friction,

@@ -25,8 +25,10 @@ namespace fiberloom
     PlateContact::Heights       gradient;
     PlateContact::Hessian       hessian;
 
-    /** Of unknown number @p i of a node, which of the heights it moves, or -1,
-     * and how far. */
+    /**
+     * Which of the heights unknown number @p i of @p node moves, or -1, and by
+     * how much.
+     */
     std::pair<int, double>
     moved(const unsigned int node, const unsigned int i) const
     {
@@ -38,12 +40,19 @@ namespace fiberloom
                           std::make_pair(-1, 0.);
     }
 
+    /**
+     * Number of unknowns of @p node : 6 for the plates' body, number 3, else 9.
+     */
     static unsigned int
     size(const unsigned int node)
     {
       return node == 3 ? 6 : 9;
     }
 
+    /**
+     * Gradient of the energy by the unknowns of node @p a [N], size( @p a )
+     * entries.
+     */
     Eigen::VectorXd
     force(const unsigned int a) const
     {
@@ -54,6 +63,10 @@ namespace fiberloom
       return force;
     }
 
+    /**
+     * Hessian of the energy by the unknowns of nodes @p a and @p b [N/mm],
+     * size( @p a ) x size( @p b ).
+     */
     Eigen::MatrixXd
     stiffness(const unsigned int a, const unsigned int b) const
     {
@@ -67,7 +80,10 @@ namespace fiberloom
     }
   };
 
-  /** What its friction adds: the section spread over the nodes. */
+  /**
+   * What friction on a plate adds: the section spread over the three nodes of
+   * its element by weights.
+   */
   struct PlateFrictionGroup
   {
     std::array<unsigned int, 3> nodes;
@@ -80,12 +96,14 @@ namespace fiberloom
       , weights(group.weights)
     {}
 
+    /** The nine entries of node @p a [N]. */
     auto
     force(const unsigned int a) const
     {
       return weights[a] * gradient;
     }
 
+    /** The 9 x 9 block of nodes @p a and @p b [N/mm]. */
     auto
     stiffness(const unsigned int a, const unsigned int b) const
     {

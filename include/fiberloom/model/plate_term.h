@@ -45,7 +45,10 @@ namespace fiberloom
            const DofVector                 &q_before,
            const std::vector<PlateHistory> &history);
 
-    /** As update() has set it; empty where there is none. */
+    /**
+     * Friction of each section and plate, as update() has set it; empty where
+     * there is none.
+     */
     const std::vector<PlateFriction> &
     friction() const
     {
@@ -81,7 +84,7 @@ namespace fiberloom
                  const PlateFrictionGroup &friction,
                  Assembly                 &sum) const;
 
-    /** Of the plates' middle [N/mm]. */
+    /** Stiffness of the spring that holds the plates' middle [N/mm]. */
     double
     spring() const;
 

@@ -31,17 +31,21 @@ namespace fiberloom
     virtual void
     visit_couplings(const CouplingVisitor &couple) const = 0;
 
-    /** Its gradient and, if asked for, its Hessian, as far as they touch
-     * owned blocks. */
+    /**
+     * Adds gradient and, if @p sum asks for it, Hessian of the term at @p state
+     * , as far as they touch owned blocks.
+     */
     virtual void
     add(const State &state, Assembly &sum) const = 0;
 
-    /** This rank's part [N mm]. */
+    /** This rank's part of the term's energy at @p state [N mm]. */
     virtual double
     energy(const State &state) const = 0;
 
-    /** Lost in the increment that ends at @p state , on any rank that of all
-     * [N mm]. */
+    /**
+     * Energy lost in the increment that ends at @p state [N mm]: on any rank
+     * that of all.
+     */
     virtual double
     dissipation(const State & /*state*/) const
     {

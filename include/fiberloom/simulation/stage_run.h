@@ -34,19 +34,28 @@ namespace fiberloom
   class StageRun
   {
   public:
-    /** Of the stage that @p statistics name; @p state is where the run will
-     * begin or go on. */
+    /**
+     * Prepares the run of @p stage . @p statistics are those of the stage, to
+     * which the run adds; @p state is where it will begin or go on. References
+     * are kept.
+     */
     StageRun(const Scene      &scene,
              const Stage      &stage,
              const RunContext &context,
              StageStatistics  &statistics,
              const State      &state);
 
-    /** Is asked for what is known of an increment between two states. */
+    /**
+     * A function that is called with the states before and after an increment,
+     * to estimate what is known of its error.
+     */
     using Estimate =
       std::function<void(const State &before, const State &reached)>;
 
-    /** Is given what a run can go on from before its first increment. */
+    /**
+     * A function that is called with the state a run can go on from before its
+     * first increment.
+     */
     using Keep = std::function<void(const State &)>;
 
     /** What is to come after this stage, for the log. */
@@ -71,13 +80,15 @@ namespace fiberloom
         const Keep              &keep     = {},
         const Ahead             &ahead    = {0, 0});
 
-    /** That an increment of a test takes, as far as is known. */
+    /** Seconds that an increment of a test takes, as far as is known. */
     double
     seconds_of_increment() const;
 
-    /** From the start to the end of the stage by its fast path alone. False,
-     * with @p state as it was, where that does not lead there. Throws
-     * StopRequested on request. */
+    /**
+     * Takes @p state from the start to the end of the stage by the stage's fast
+     * path alone. False, with @p state as it was, where that does not lead
+     * there. Throws StopRequested on request.
+     */
     bool
     run_fast(State &state);
 
@@ -94,7 +105,11 @@ namespace fiberloom
     State
     begun(const State &state) const;
 
-    /** Whether this has found where @p state can go on from. */
+    /**
+     * Runs the start of the stage on coarser meshes, where that is allowed, and
+     * stores in @p state where it can go on from; whether there is such a
+     * place.
+     */
     bool
     start_on_coarser_meshes(State &state);
 
@@ -104,7 +119,10 @@ namespace fiberloom
     void
     take_increment(State &state);
 
-    /** An increment and, where it leads to the farthest point, @p estimate . */
+    /**
+     * Takes an increment and, where it leads to the farthest point, calls
+     * @p estimate .
+     */
     void
     take_increment(State &state, const Estimate &estimate);
 
@@ -127,8 +145,10 @@ namespace fiberloom
                  const Equilibrium::Problem &problem,
                  const double                load);
 
-    /** Where the increment that failed is farthest from balance, at @p state ,
-     * for the message. */
+    /**
+     * Names, for the message, the place where the increment that failed is
+     * farthest from balance at @p state .
+     */
     std::string
     unbalanced(const State &state) const;
 
@@ -146,7 +166,11 @@ namespace fiberloom
     void
     show(const State &state, const IncrementObserver &observer);
 
-    /** @p state as it was @p before if it cannot be shown. */
+    /**
+     * Shows @p state to @p observer . Where that throws StageFailure, @p state
+     * is set back to what it was @p before , so that a run that goes on from
+     * there shows it.
+     */
     void
     show_or_take_back(State                   &state,
                       const State             &before,
@@ -166,7 +190,7 @@ namespace fiberloom
     std::string
     increment_line(const State &state) const;
 
-    /** Of computing, so far. */
+    /** Seconds of computing in this stage so far. */
     double
     seconds_of_stage() const;
 

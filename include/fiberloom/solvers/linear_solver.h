@@ -33,7 +33,7 @@ namespace fiberloom
    * precision; both until forget().
    *
    * For a composite, blocks asks for a factor of the fibers and one of the
-   * matrix in place of that of both.
+   * matrix in place of that of both. Section 8 of the theory.
    *
    * Multigrid stands in for the factor where asked for; it does not count
    * negative pivots, so a solution that is no descent tells that the matrix is
@@ -42,7 +42,10 @@ namespace fiberloom
   class LinearSolver
   {
   public:
-    /** The system is kept by reference. */
+    /**
+     * @p system is kept by reference; @p wanted : what the user asks for, which
+     * together with the number of dofs decides on the preconditioner.
+     */
     LinearSolver(const System &system, const Preconditioning wanted);
 
     /** What becomes of an indefinite matrix: it is shifted until it is not,
@@ -67,8 +70,12 @@ namespace fiberloom
       double       krylov          = 0;
     };
 
-    /** A system whose residual is reduced to @p tolerance times the right hand
-     * side. */
+    /**
+     * The system matrix * x = right_hand_side, whose residual is reduced to
+     * @p tolerance times the right hand side. Owned parts of vectors have
+     * BlockLayout::n_owned_dofs() entries: forces [N] and moments on bodies [N
+     * mm] on the right, increments [mm], [rad] in the solution.
+     */
     struct Equations
     {
       BlockMatrix               &matrix;
@@ -76,8 +83,11 @@ namespace fiberloom
       double                     tolerance = 1e-9;
     };
 
-    /** What the diagonal gets in any case, and in the first attempt where the
-     * matrix is indefinite [N/mm]. */
+    /**
+     * What the diagonal of the matrix gets in any case ( @p damping ), and at
+     * least in the first shift where the matrix is indefinite ( @p shift_unit
+     * ), both in [N/mm].
+     */
     struct Diagonal
     {
       double     damping;
@@ -85,74 +95,112 @@ namespace fiberloom
       Indefinite indefinite = Indefinite::shifted;
     };
 
-    /** @p q : where the fibers are. @p solution : the owned part, resized.
-     * Throws StageFailure if no shift helps. */
+    /**
+     * Solves @p equations ; damping and shifts stay in their matrix. @p q : the
+     * dofs of the fibers, nine for each node, which tell where their sections
+     * are. @p solution : the owned part, resized. With Indefinite::refused
+     * there is none where the outcome has negative pivots. Throws StageFailure
+     * where the matrix stays indefinite for every shift.
+     */
     Outcome
     solve(const Equations       &equations,
           const Eigen::VectorXd &q,
           const Diagonal        &diagonal,
           std::vector<double>   &solution);
 
-    /** Around what preconditioned the last system, of the same matrix. False
-     * where that does not converge. */
+    /**
+     * Solves @p equations around what preconditioned the last system, of the
+     * same matrix, and adds to @p outcome what that takes. False where it does
+     * not converge.
+     */
     bool
     solve_again(const Equations     &equations,
                 std::vector<double> &solution,
                 Outcome             &outcome);
 
-    /** A factor of @p matrix without its outer products, definite or not,
-     * around which coupled systems are solved. */
+    /**
+     * Factorises @p matrix without its outer products, definite or not, so that
+     * coupled systems can be solved around the factor; @p q as in solve(). Does
+     * nothing with multigrid, whose last preconditioner is used.
+     */
     void
     factorize(BlockMatrix &matrix, const Eigen::VectorXd &q, Outcome &outcome);
 
-    /** As solve_again(), with the outer products of the matrix, from the
-     * @p solution that is there already, if any. */
+    /**
+     * Solves @p equations with the outer products of the matrix, around what
+     * preconditioned the last system and from the @p solution that is there
+     * already, if any. Adds to @p outcome what that takes. False where it does
+     * not converge.
+     */
     bool
     solve_coupled(const Equations     &equations,
                   std::vector<double> &solution,
                   Outcome             &outcome);
 
-    /** What was kept of earlier systems to save time: from here on, a run that
-     * is restarted does the same as one that goes on. */
+    /**
+     * Forgets what was kept of earlier systems to save time: from here on, a
+     * run that is restarted does the same as one that goes on.
+     */
     void
     forget();
 
-    /** Seconds of one factorisation of @p matrix in double precision. */
+    /**
+     * Factorises @p matrix once in double precision and returns the time that
+     * takes [s].
+     */
     static double
     time_double_factorization(const BlockMatrix &matrix);
 
   private:
-    /** What the name given asks for. */
+    /**
+     * Chooses the preconditioner that the user asks for or the number of dofs
+     * suggests.
+     */
     void
     use_preferred();
 
+    /**
+     * Takes an empty factor of the whole in @p chosen precision in place of
+     * what was used.
+     */
     void
     use(const DirectFactor::Precision chosen);
 
-    /** As what preconditions. */
+    /** Makes the factor of @p matrix what preconditions. */
     void
     use_factor_of(const BlockMatrix &matrix);
 
+    /** Most cycles of Krylov's method around what preconditioned last. */
     unsigned int
     cycles_of_last() const;
 
     /** Equations with their solution and what it takes. */
     struct Task;
 
-    /** Whether that came to its end with a descent. */
+    /**
+     * Solves @p task around a factor of the motions of rigid sections. False
+     * where that does not come to its end with a descent.
+     */
     bool
     solve_by_sections(Task                  &task,
                       const Eigen::VectorXd &q,
                       const Diagonal        &diagonal);
 
-    /** False where the factor is too coarse. */
+    /**
+     * Solves @p task around a factor of the whole. False where this factor is
+     * too coarse.
+     */
     bool
     solve_by_factor(Task &task, const Diagonal &diagonal);
 
+    /** Solves @p task around multigrid. False where that does not converge. */
     bool
     solve_by_multigrid(Task &task, const Diagonal &diagonal);
 
-    /** Whether that came to its end with a descent. */
+    /**
+     * Solves @p task around one factor of the fibers and one of the matrix.
+     * False where that does not come to its end with a descent.
+     */
     bool
     solve_by_blocks(Task &task);
 
@@ -169,6 +217,10 @@ namespace fiberloom
     Epetra_Operator                       *last = nullptr; // that was applied
   };
 
+  /**
+   * Adds iterations, factorisations and seconds of @p outcome to @p statistics
+   * .
+   */
   void
   add(StageStatistics &statistics, const LinearSolver::Outcome &outcome);
 } // namespace fiberloom

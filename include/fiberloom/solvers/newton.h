@@ -45,8 +45,11 @@ namespace fiberloom
 
     using Watch = std::function<void(const Progress &)>;
 
-    /** References are kept. @p largest_move : of a step, over the radius; 0:
-     * unlimited. @p watch is called before each iteration and may throw. */
+    /**
+     * References are kept. @p largest_move : how far any node may go in one
+     * step, over its fiber's radius; 0: unlimited. @p watch is called before
+     * each iteration and may throw.
+     */
     Newton(Increment    &increment,
            LinearSolver &linear_solver,
            const double  largest_move,
@@ -66,7 +69,10 @@ namespace fiberloom
           const unsigned int most,
           const Penetration *penetration = nullptr);
 
-    /** Of the last exact tangent; -1 if its factorisation failed. */
+    /**
+     * Number of negative pivots of the last exact tangent of all fibers; -1 if
+     * its factorisation failed.
+     */
     int
     negative_pivots() const
     {
@@ -100,8 +106,9 @@ namespace fiberloom
     // Levenberg's least diagonal, over E r.
     static constexpr double least_damping = 1e-5;
 
-    // Of the linear systems at rest, and where a step is hardly ever better:
-    // far from rest, and with limits that follow.
+    // Linear systems are solved to the first of these tolerances close to rest,
+    // and to the second where a better step hardly ever pays: far from rest,
+    // and with limits that follow.
     static constexpr double linear_tolerance = 1e-6, rough_tolerance = 1e-2;
 
     /** A step in all dofs. */
@@ -131,28 +138,39 @@ namespace fiberloom
       Step   next;         // by the same matrix
     };
 
-    /** Of the residual at the end. */
+    /** The residual over its scale below which the method ends. */
     double
     tolerance(const Problem &problem) const;
 
-    /** Below the tolerance, or as near to balance as the problem asks. */
+    /**
+     * Whether the residual is below the tolerance, or the state as near to
+     * balance as the problem asks.
+     */
     bool
     is_balanced(const Problem &problem) const;
 
-    /** Well enough to stiffen zones that are too deep. */
+    /**
+     * Whether forces are right enough to stiffen zones in which fibers are too
+     * deep.
+     */
     bool
     depths_are_known(const Problem &problem) const;
 
-    /** As nothing was known of this state. */
+    /**
+     * Forgets all that was learnt of earlier states, so that the method starts
+     * anew from the present one.
+     */
     void
     begin();
 
-    /** What the system that was assembled last is off. */
+    /** Sets the residual to that of the system that was assembled last. */
     void
     measure(const Problem &problem);
 
-    /** Contacts at this state. The first ones keep limits and planes of
-     * friction of those that were there. */
+    /**
+     * Brings contacts up to date with @p state . The first ones keep limits and
+     * planes of friction of those that were there.
+     */
     void
     refresh(State &state, const Problem &problem);
 
@@ -167,27 +185,40 @@ namespace fiberloom
     bool
     is_exact_worth_it(const Problem &problem) const;
 
-    /** Moves few fibers again if they are still what is out of balance, or
-     * else all; measures the residual of all. */
+    /**
+     * Measures the residual of all fibers. The few that moved last move again
+     * if they are still what is out of balance; else all do.
+     */
     void
     go_on_with_few(const State &state, const Problem &problem);
 
-    /** Whether the fully regenerated problem is in balance; assembled anew
-     * where it is not. */
+    /**
+     * Generates everything anew at @p state ; whether that is in balance. If
+     * not, it is assembled for the next iteration.
+     */
     bool
     is_at_rest(State &state, const Problem &problem);
 
+    /**
+     * Assembles residual and tangent at @p state , the tangent of fibers and of
+     * contacts whose points follow them with this @p curvature .
+     */
     void
     assemble(const State    &state,
              const Problem  &problem,
              const Curvature curvature);
 
-    /** What was assembled. */
+    /**
+     * Restricts matrix and gradient that were assembled to the fibers that move
+     * in this iteration.
+     */
     void
     restrict_to_moving();
 
-    /** What contacts that @p step closes make of it; false where it is not
-     * finite. */
+    /**
+     * Corrects @p step by the contacts that it closes, which get a part in the
+     * matrix; false where it is not finite.
+     */
     bool
     predict(const State &state, const Problem &problem, Step &step);
 
@@ -197,57 +228,76 @@ namespace fiberloom
     double
     hold(const Step &step);
 
-    /** By the tangent as it is, or by one that is nearly definite. */
+    /**
+     * Solves for the first @p step of an iteration by the tangent as it is or,
+     * where that is indefinite, by one that is nearly definite.
+     */
     void
     solve_first(const State &state, const Problem &problem, Step &step);
 
-    /** What linear systems may leave, well below what their step will. */
+    /**
+     * Tolerance of the next linear system, well below the residual that its
+     * step will leave.
+     */
     double
     forcing() const;
 
-    /** Sets all that follows from the solution. */
+    /** Sets all that follows from the solution in @p step . */
     void
     complete(Step &step) const;
 
-    /** By how much the energy of a parabola falls, whose lowest point is where
-     * @p step ends, up to this part of the step [N mm]. */
+    /**
+     * By how much the energy falls on the part @p factor of @p step [N mm] if
+     * it is a parabola whose lowest point is where @p step ends.
+     */
     static double
     promise(const Step &step, const double factor = 1);
 
-    /** Cut at the bounds of fibers, if there are any. */
+    /** @p step , cut at the bounds of fibers if there are any. */
     Step
     bounded(const Step &step) const;
 
-    /** Of the fibers that move in this iteration. */
+    /** The solver for the fibers that move in this iteration. */
     LinearSolver &
     solver()
     {
       return moving.are_all() ? linear_solver : *of_few;
     }
 
-    /** Over all ranks. */
+    /** Scalar product of two vectors by owned dofs, summed over all ranks. */
     double
     dot(const std::vector<double> &a, const std::vector<double> &b) const;
 
-    /** What the system that was assembled last leads to. */
+    /**
+     * Solves the system that was assembled last, with @p damping (over E r)
+     * added to its diagonal, for @p step . False where it is indefinite and
+     * that is to be refused.
+     */
     bool
     solve_linear(const State                   &state,
                  const double                   damping,
                  const LinearSolver::Indefinite indefinite,
                  Step                          &step);
 
-    /** Whose friction limits follow; whether there is one. */
+    /**
+     * Finds a @p step in which friction limits follow the normal forces;
+     * whether there is one.
+     */
     bool
     find_coupled_step(const State &state, const Problem &problem, Step &step);
 
-    /** A step whose friction limits follow, if the regenerated problem is then
-     * nearer to balance. */
+    /**
+     * Takes a step in which friction limits follow the normal forces, if the
+     * regenerated problem is then nearer to balance; whether it has.
+     */
     bool
     take_coupled_step(State &state, const Problem &problem);
 
-    /** Moves @p there , with the residual that it has, by @p factor times @p
-     * step ; whether its residual or its next step is then smaller, or it needs
-     * none. */
+    /**
+     * Moves @p there , with the residual that it has, by @p factor times
+     * @p step . Whether its residual or its next step is then smaller, or no
+     * step is needed.
+     */
     bool
     reach_coupled(CoupledStep   &there,
                   const Problem &problem,
@@ -258,38 +308,55 @@ namespace fiberloom
     void
     correct_coupled(CoupledStep &there, const Problem &problem);
 
-    /** By the matrix with limits that follow; whether there is a solution. */
+    /**
+     * Solves for @p step by the matrix in which friction limits follow the
+     * normal forces; whether there is a solution.
+     */
     bool
     solve_coupled(const std::vector<double> &right_hand_side, Step &step);
 
-    /** A part of @p step on which prescribed nodes move as far as allowed. */
+    /**
+     * Moves @p state along the part of @p step on which prescribed nodes move
+     * as far as allowed.
+     */
     void
     follow_motion(State &state, const Problem &problem, const Step &step);
 
-    /** What @p factor times @p step reaches. */
+    /**
+     * The state that @p factor times @p step leads to from @p state , and its
+     * energy.
+     */
     Reached
     at(const State   &state,
        const Problem &problem,
        const Step    &step,
        const double   factor) const;
 
-    /** Along @p step until the energy is below @p here [N mm]. */
+    /** Shortens @p step until it leads to an energy below @p here [N mm]. */
     Reached
     search(const State   &state,
            const Problem &problem,
            const Step    &step,
            const double   here);
 
-    /** Down the energy along @p step and back to the valley's floor. */
+    /**
+     * Moves @p state down the energy along @p step and back to the valley's
+     * floor.
+     */
     void
     descend(State &state, const Problem &problem, const Step &step);
 
-    /** Those that went furthest on the last one's @p way of all. */
+    /**
+     * Chooses the fibers that move in the next iteration: those that went
+     * furthest on the last one's @p way of all fibers.
+     */
     void
     choose_moving(const DofVector &way);
 
-    /** What is out of balance at @p there of the fibers that move, the owned
-     * dofs. */
+    /**
+     * What is out of balance at @p there of the fibers that move [N], by owned
+     * dofs.
+     */
     std::vector<double>
     residual_at(const State &there, const Problem &problem);
 
@@ -301,8 +368,10 @@ namespace fiberloom
             const Step    &step,
             Reached       &there);
 
-    /** Twice as far along @p step , corrected, as long as the energy falls as
-     * if it had no minimum. */
+    /**
+     * Goes twice as far along @p step , with corrections, as long as the energy
+     * falls as if it had no minimum.
+     */
     void
     lengthen(const State   &state,
              const Problem &problem,
@@ -316,11 +385,16 @@ namespace fiberloom
           const Eigen::VectorXd &increment,
           const double           factor) const;
 
-    /** Of the potential less the work of dead loads since @p from . */
+    /**
+     * Potential @p at a state less the work of dead loads since @p from [N mm].
+     */
     double
     energy(const State &from, const State &at, const Problem &problem) const;
 
-    /** Part of @p step that does not move fibers too far. */
+    /**
+     * The largest part of @p step , at most 1, that does not move fibers too
+     * far.
+     */
     double
     longest(const Step &step) const;
 

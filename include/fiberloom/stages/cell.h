@@ -29,9 +29,12 @@ namespace fiberloom
       held
     };
 
-    /** @p free : elongations along warp and fill and the shear whose mean
-     * stress is given. @p plies_held : of how many plies, from the lowest on,
-     * one node keeps its height. */
+    /**
+     * Supports of the cell of @p scene . @p free : for the elongations along
+     * warp and fill and for the shear, whether the mean stress is given in
+     * place of the motion. @p plies_held : of how many plies, from the lowest
+     * on, one node keeps its height. Section 3.2 of the theory.
+     */
     Supports
     supports(
       const Scene         &scene,
@@ -39,44 +42,67 @@ namespace fiberloom
       const Spacing        spacing  = Spacing::free,
       const unsigned int plies_held = std::numeric_limits<unsigned int>::max());
 
-    /** Undeformed where @p state has no cell yet. */
+    /** Gives @p state an undeformed cell where it has none yet. */
     void
     place(State &state);
 
-    /** Periods along warp and fill [mm] of a cell that is placed so. */
+    /**
+     * Lengths of the periods along warp and fill [mm] where the cell is placed
+     * at @p placement .
+     */
     std::array<double, 2>
     periods(const Scene &scene, const Placement &placement);
 
-    /** That of a cell which is strained by so much from @p start on. */
+    /**
+     * The placement of the cell after its elongations along warp and fill have
+     * grown from those at @p start by @p warp_strain and @p fill_strain times
+     * the periods at @p start . The shear stays.
+     */
     Placement
     strained(const Scene     &scene,
              const Placement &start,
              const double     warp_strain,
              const double     fill_strain);
 
-    /** That of a cell whose periods keep the lengths that they have at @p start
-     * , while the right angle between them closes by @p angle more [rad]. */
+    /**
+     * The placement of the cell after the right angle between its periods has
+     * closed by @p angle more than at @p start [rad], while the periods keep
+     * the lengths that they have there.
+     */
     Placement
     sheared(const Scene &scene, const Placement &start, const double angle);
 
-    /** By how much the elongations grow with the angle at a placement
-     * [mm/rad]. */
+    /**
+     * Derivative of the three elongations by the angle of sheared(), at
+     * @p placement [mm/rad].
+     */
     Vector3
     shear_rate(const Scene &scene, const Placement &placement);
 
-    /** Mean deformation gradient of a cell that is placed so. */
+    /**
+     * Mean deformation gradient, a 3 x 3 matrix, where the cell is placed at
+     * @p placement .
+     */
     Matrix3
     gradient(const Scene &scene, const Placement &placement);
 
-    /** Its periods in the plane, one a column [mm]. */
+    /**
+     * Both periods in the plane as columns of a 2 x 2 matrix [mm], where the
+     * cell is placed at @p placement .
+     */
     Eigen::Matrix2d
     plane_periods(const Scene &scene, const Placement &placement);
 
-    /** Of a cell that is placed so, in the plane [mm^2]. */
+    /**
+     * Area of the cell in the plane [mm^2] where it is placed at @p placement .
+     */
     double
     area(const Scene &scene, const Placement &placement);
 
-    /** Mean stress times the cell's width where the stage began [N]. */
+    /**
+     * Force with which the cell is pulled along @p family [N]: the mean stress
+     * times the cell's width, from the @p reactions of the bodies.
+     */
     double
     pull(const Tow::Family family, const std::vector<BodyVector> &reactions);
 
