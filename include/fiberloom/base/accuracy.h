@@ -39,8 +39,10 @@ namespace fiberloom
       return preview;
     }
 
-    /** Of a preview that of a draft; nothing for another text or a number that
-     * is out of bounds. */
+    /**
+     * The error in percent, for a preview that of a draft; nothing where the
+     * text is another one or its number out of bounds.
+     */
     const std::optional<double> &
     percent() const
     {

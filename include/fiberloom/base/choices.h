@@ -18,7 +18,10 @@ namespace fiberloom
   template <class Choice>
   using Choices = std::vector<std::pair<Choice, std::string>>;
 
-  /** Of each such type, in the order in which a user reads them. */
+  /**
+   * The values of each such type with their names, in the order in which a user
+   * reads them.
+   */
   template <class Choice>
   extern const Choices<Choice> choices;
 
@@ -70,7 +73,7 @@ namespace fiberloom
     return names;
   }
 
-  /** Of the axial force with the stretch. */
+  /** How the axial force grows with the stretch. */
   enum class AxialLaw
   {
     saint_venant_kirchhoff,
@@ -82,7 +85,7 @@ namespace fiberloom
     {AxialLaw::saint_venant_kirchhoff, "Saint Venant-Kirchhoff"},
     {AxialLaw::linear, "linear"}};
 
-  /** Of fibers along one axis. */
+  /** How fibers along one axis are arranged. */
   enum class Arrangement
   {
     none,
@@ -176,7 +179,7 @@ namespace fiberloom
                                                     {BodyDof::ry, "ry"},
                                                     {BodyDof::rz, "rz"}};
 
-  /** Of a displacement. */
+  /** A component of a displacement. */
   enum class Component
   {
     x,
@@ -274,7 +277,7 @@ namespace fiberloom
                                                   {Layers::both, "both"},
                                                   {Layers::filled, "filled"}};
 
-  /** Of a matrix at large strains. */
+  /** The law of a matrix at large strains. */
   enum class MatrixLaw
   {
     saint_venant_kirchhoff,

@@ -19,7 +19,9 @@
 
 namespace fiberloom
 {
-  /** Of points and lengths [mm]: powers of what is beyond are no numbers. */
+  /**
+   * Bound of points and lengths [mm]: powers of what is beyond are no numbers.
+   */
   constexpr double farthest = 1e6;
 
   /** A bound that keeps a slip of the finger from running for ever. */

@@ -69,7 +69,7 @@ namespace fiberloom
     TowParameters             warp;
     TowParameters             fill;
 
-    /** Of the fibers of one ply, over its area while flat [mm]. */
+    /** Volume of the fibers of one ply over its area while flat [mm]. */
     double
     volume_over_area() const;
   };
@@ -199,7 +199,7 @@ namespace fiberloom
     SolverParameters             solver;
     OutputParameters             output;
 
-    // Of what was read: for the user, but no reason to refuse it.
+    // Notes on what was read: for the user, but no reason to refuse it.
     std::vector<std::string> notes;
 
     bool

@@ -27,7 +27,7 @@ namespace fiberloom
     }
   };
 
-  /** Of a new run, the same on every rank. Collective. */
+  /** The identity of a new run, the same on every rank. Collective. */
   RunIdentity
   new_run(const Parameters &parameters, const MPI_Comm comm);
 

@@ -28,8 +28,10 @@ namespace fiberloom
     double estimate = 0;      // of the error, afterwards
   };
 
-  /** Of the loading curve at the end of a stage, over its largest value; NaN
-   * where there is none. */
+  /**
+   * Estimated errors of the loading curve at the end of a stage, over its
+   * largest value; NaN where there is none.
+   */
   struct ErrorEstimate
   {
     double      mesh        = std::numeric_limits<double>::quiet_NaN();

@@ -13,7 +13,7 @@ namespace fiberloom
   std::string
   program_name();
 
-  /** As configured, such as "0.1.0". */
+  /** The version that was configured, such as "0.1.0". */
   std::string
   program_version();
 

@@ -38,7 +38,10 @@ namespace fiberloom
     using Vector = Eigen::Matrix<double, 27, 1>;
     using Matrix = Eigen::Matrix<double, 27, 27>;
 
-    /** @p reference : stress-free dofs; throws InputError if it is degenerate.
+    /**
+     * @p reference : stress-free dofs, x0, r g1, r g2 of each node [mm].
+     * @p radius : [mm], @p young_modulus : [MPa]. Throws InputError where the
+     * reference is degenerate.
      */
     BeamElement(const Vector  &reference,
                 const double   radius,
@@ -46,15 +49,19 @@ namespace fiberloom
                 const double   poisson_ratio,
                 const AxialLaw law = AxialLaw::saint_venant_kirchhoff);
 
-    /** [N mm] */
+    /** Elastic energy at the 27 dofs @p q [N mm]. */
     double
     energy(const Vector &q) const;
 
-    /** Gradient of the energy, [N]. */
+    /** Gradient of the energy by the 27 dofs @p q [N]. */
     void
     residual(const Vector &q, Vector &residual) const;
 
-    /** Gradient [N] and Hessian [N/mm] of the energy. */
+    /**
+     * Gradient [N] and 27 x 27 Hessian [N/mm] of the energy at @p q . With a
+     * @p curvature other than exact the tangent is what that leaves of the
+     * Hessian.
+     */
     void
     residual_and_tangent(const Vector &q,
                          Vector       &residual,
@@ -68,7 +75,7 @@ namespace fiberloom
       Vector3 moment; // [N mm], about the section's centre
     };
 
-    /** At Gauss point 0 or 1. */
+    /** Section forces at @p q in Gauss point 0 or 1. */
     SectionForces
     section_forces(const Vector &q, const unsigned int gauss_point) const;
 
@@ -81,9 +88,9 @@ namespace fiberloom
     is_folded(const Vector &q) const;
 
     /**
-     * Of a line along the fiber in its sections, to first order in the
-     * curvature: that of the stretch of the centre line and, on the outermost
-     * line, of bending. The larger one of the two Gauss points.
+     * Strain of the most strained line along the fiber in its sections, to
+     * first order in the curvature: the strain of the centre line plus, on the
+     * outermost line, that of bending. The larger one of the two Gauss points.
      */
     double
     largest_strain(const Vector &q) const;
@@ -142,7 +149,10 @@ namespace fiberloom
                     const GaussPoint             &point,
                     const Vector                 &q) const;
 
-    /** Of e11, e22 or e12 at a node by that node's dofs. */
+    /**
+     * Derivative of the section strain e11, e22 or e12 at a node by that node's
+     * nine dofs.
+     */
     Eigen::Matrix<double, 1, 9>
     node_section_gradient(const Vector      &q,
                           const unsigned int strain,

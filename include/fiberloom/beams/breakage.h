@@ -35,7 +35,7 @@ namespace fiberloom
   public:
     Breakage(const FiberSet &fibers, const FiberMesh &mesh);
 
-    /** Of an element; infinite where it never breaks. */
+    /** Strain at which @p element breaks; infinite where it never does. */
     double
     breaking_strain(const unsigned int element) const
     {

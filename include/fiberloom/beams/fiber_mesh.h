@@ -75,6 +75,10 @@ namespace fiberloom
 
     static constexpr unsigned int dofs_per_node = 9;
 
+    /**
+     * Makes elements of all @p fibers and, if they have a cell, of their
+     * images. Throws InputError where an element is degenerate.
+     */
     explicit FiberMesh(const FiberSet &fibers);
 
     const std::vector<Line> &
@@ -139,14 +143,20 @@ namespace fiberloom
       return initial_dofs;
     }
 
+    /**
+     * The 27 dofs of @p element [mm]: nine of each of its nodes, start, middle,
+     * end.
+     */
     BeamElement::Vector
     element_dofs(const DofVector &q, const unsigned int element) const
     {
       return q.segment<27>(dofs_per_node * first_node(element));
     }
 
-    /** Whether an element of any fiber is, see BeamElement; broken ones do not
-     * count. */
+    /**
+     * Whether an element of any fiber is folded at @p q , see BeamElement;
+     * broken ones do not count.
+     */
     bool
     is_folded(const DofVector &q, const FiberHistory &history) const;
 
@@ -165,7 +175,10 @@ namespace fiberloom
     const FiberMesh &
     with_images() const;
 
-    /** Its dofs where those of this mesh are @p q . */
+    /**
+     * The dofs of the mesh that contact sees, where those of this mesh are @p q
+     * .
+     */
     DofVector
     with_images(const DofVector &q) const;
 
@@ -176,14 +189,18 @@ namespace fiberloom
       return original_nodes;
     }
 
-    /** Of two places of a fiber, in elements; images are the same place. */
+    /**
+     * Distance of two places @p u and @p v of a fiber, in elements; images
+     * count as the same place.
+     */
     double
     distance(const unsigned int fiber, const double u, const double v) const;
 
-    /** Clamps @p u to the fiber. */
+    /** The place of parameter @p u on a fiber; @p u is clamped to the fiber. */
     ElementPoint
     locate(const unsigned int fiber, const double u) const;
 
+    /** The parameter u of its fiber at @p point , see locate(). */
     double
     parameter(const ElementPoint &point) const
     {
@@ -192,16 +209,20 @@ namespace fiberloom
              .5 * (point.xi + 1);
     }
 
+    /**
+     * Centre line and section of a fiber at @p point where the dofs are @p q .
+     */
     Section
     section(const DofVector &q, const ElementPoint &point) const;
 
-    /** Of all fibers [mm]. */
+    /** Smallest radius of all fibers [mm]. */
     double
     smallest_radius() const
     {
       return radii[0];
     }
 
+    /** Largest radius of all fibers [mm]. */
     double
     largest_radius() const
     {

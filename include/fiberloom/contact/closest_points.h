@@ -14,8 +14,10 @@ namespace fiberloom
   /** Parameters u on two fibers. */
   using ParameterPair = std::array<double, 2>;
 
-  /** Closest points of the segments a0 a1 and b0 b1, as fractions, and their
-   * distance. */
+  /**
+   * Closest points of the segments a0 a1 and b0 b1, as fractions of them, and
+   * their distance [mm].
+   */
   struct SegmentDistance
   {
     double s, t, distance;

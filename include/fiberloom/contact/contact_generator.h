@@ -118,7 +118,7 @@ namespace fiberloom
     crossings_out_of_order(const DofVector &q) const;
 
   private:
-    /** As update(), at placements of all that is seen. */
+    /** Does what update() does, at placements of all that contact sees. */
     void
     update_seen(std::vector<ContactElement> &contacts,
                 const DofVector             &q,
@@ -139,7 +139,10 @@ namespace fiberloom
     void
     place_at(ContactElement &contact, const ParameterPair &u) const;
 
-    /** Where fibers are not crossed from above. */
+    /**
+     * Lets the points of @p contacts follow the fibers where these are not
+     * crossed from above.
+     */
     void
     let_points_follow(std::vector<ContactElement> &contacts,
                       const DofVector             &q,
@@ -160,7 +163,7 @@ namespace fiberloom
                         ContactState                &state,
                         std::vector<ContactElement> &contacts);
 
-    /** Of @p zone if it is new [N/mm^2]. */
+    /** The line penalty of @p zone if it is new [N/mm^2]. */
     double
     initial_stiffness(const ContactZone &zone) const;
 

@@ -26,16 +26,22 @@ namespace fiberloom
     double regularization; // penetration up to which the law is quadratic [mm]
     bool   upper;
 
-    /** [mm], negative where the section is in the plate. */
+    /**
+     * Distance of the section from the plate [mm], negative where it is in the
+     * plate.
+     */
     double
     gap(const Heights &x) const;
 
-    /** [N mm] */
+    /** Energy of the contact at the heights @p x [N mm]. */
     double
     energy(const Heights &x) const;
 
-    /** Gradient and, where @p hessian is not null, second derivative of it.
-     * False, with nothing set, where they do not touch. */
+    /**
+     * Gradient of the energy by the five heights [N] and, where @p hessian is
+     * not null, its Hessian, 5 x 5 [N/mm]. False, with nothing set, where they
+     * do not touch.
+     */
     bool
     evaluate(const Heights &x, Heights &gradient, Hessian *hessian) const;
   };

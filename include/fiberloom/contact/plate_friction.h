@@ -17,7 +17,7 @@ namespace fiberloom
    */
   struct PlateFriction
   {
-    /** c, r g1, r g2 [mm]. */
+    /** A section: centre, r g1, r g2 [mm]. */
     using Section = Eigen::Matrix<double, 9, 1>;
     using Hessian = Eigen::Matrix<double, 9, 9>;
 
@@ -27,44 +27,47 @@ namespace fiberloom
     Eigen::Vector3d particle; // weights of c, r g1, r g2 in its place
     Eigen::Vector2d origin;   // its place in the plane without slip [mm]
 
-    /** Of the particles of a section, the one that touches a plate. */
+    /** The particle of a section that touches a plate. */
     enum class Extreme
     {
       lowest,
       highest
     };
 
-    /** Takes this one of @p section . */
+    /** Takes the lowest or highest particle of @p section . */
     void
     place_particle(const Section &section, const Extreme extreme);
 
-    /** Of the particle in the plane [mm]. */
+    /** Place of the particle in the plane [mm]. */
     Eigen::Vector2d
     place(const Section &section) const;
 
-    /** Since it was at its origin [mm]. */
+    /** Motion of the particle since it was at its origin [mm]. */
     Eigen::Vector2d
     slip(const Section &section) const
     {
       return place(section) - origin;
     }
 
-    /** The part of it that would go back [mm]. */
+    /** The part of the slip that would go back [mm]. */
     Eigen::Vector2d
     reversible_slip(const Section &section) const;
 
+    /** Energy, force and its derivative by the slip, see friction_law(). */
     LawValue
     law(const Section &section) const
     {
       return friction_law(slip(section).norm(), limit, elastic_slip);
     }
 
-    /** What of the energy is lost [N mm]. */
+    /** The part of the energy that is lost [N mm]. */
     double
     dissipated_energy(const Section &section) const;
 
-    /** Gradient of the energy and, where @p hessian is not null, second
-     * derivative. */
+    /**
+     * Gradient of the energy by the nine components of @p section [N] and,
+     * where @p hessian is not null, its Hessian, 9 x 9 [N/mm].
+     */
     void
     evaluate(const Section &section, Section &gradient, Hessian *hessian) const;
   };

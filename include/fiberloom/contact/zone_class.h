@@ -17,21 +17,27 @@ namespace fiberloom
    */
   struct ZoneClass
   {
-    /** Of @p zone at placement @p q ; @p margin is that of the search [mm]. */
+    /**
+     * Judges @p zone where the dofs of the fibers are @p q ; @p margin is that
+     * of the search [mm].
+     */
     ZoneClass(const FiberMesh     &mesh,
               const DofVector     &q,
               const ProximityZone &zone,
               const double         margin);
 
-    /** Of a zone that has no predecessor. */
+    /** Whether the fibers cross, in a zone that has no predecessor. */
     bool
     crosses() const;
 
-    /** Of one in which they crossed before. */
+    /** Whether they still cross, in a zone in which they crossed before. */
     bool
     crosses_still() const;
 
-    /** Of one in which they lay along each other before. */
+    /**
+     * Whether they cross now, in a zone in which they lay along each other
+     * before.
+     */
     bool
     crosses_now() const;
 

@@ -18,7 +18,7 @@ namespace fiberloom
   /** A fiber as it stands in a file. */
   struct FiberPoints
   {
-    /** Of the values that a file may give each fiber. */
+    /** Names of the values that a file may give each fiber. */
     static constexpr std::array<const char *, 3> value_names{
       {"radius", "young_modulus", "poisson_ratio"}};
 

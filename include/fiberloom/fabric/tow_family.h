@@ -11,7 +11,7 @@
 
 namespace fiberloom
 {
-  /** As in files: warp, fill or none. */
+  /** The name of @p family as it stands in files: warp, fill or none. */
   inline std::string
   family_name(const Tow::Family family)
   {
@@ -26,7 +26,7 @@ namespace fiberloom
       }
   }
 
-  /** The reverse; empty for any other text. */
+  /** The family that has this name; empty for any other text. */
   inline std::optional<Tow::Family>
   family_of_name(const std::string &name)
   {

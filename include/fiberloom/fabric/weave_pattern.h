@@ -29,13 +29,15 @@ namespace fiberloom
                  const unsigned int n_fill_tows);
 
     /**
-     * Of a stack: tows of all @p plies , the lowest first, numbered through.
-     * Those of an upper ply are above all of those below it.
+     * The pattern of a stack: tows of all @p plies , the lowest first, numbered
+     * through. Those of an upper ply are above all of those below it.
      */
     explicit WeavePattern(const std::vector<WeavePattern> &plies);
 
-    /** Of the fabric turned by a quarter, against the clock seen from above,
-     * whose tows are numbered along the axes again. */
+    /**
+     * The pattern of the fabric turned by a quarter, against the clock seen
+     * from above, whose tows are numbered along the axes again.
+     */
     WeavePattern
     turned() const;
 
@@ -45,7 +47,10 @@ namespace fiberloom
       return above[fill][warp];
     }
 
-    /** Of a weave with a name; 0 for rows. */
+    /**
+     * Number of tows after which a weave with a name repeats itself; 0 for
+     * rows.
+     */
     unsigned int
     period() const
     {

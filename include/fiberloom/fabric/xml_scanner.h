@@ -42,7 +42,9 @@ namespace fiberloom
       return element;
     }
 
-    /** Of the element that was opened last, or @p otherwise . */
+    /**
+     * Attribute @p key of the element that was opened last, or @p otherwise .
+     */
     std::string
     attribute(const std::string &key, const std::string &otherwise) const;
 

@@ -34,7 +34,10 @@ namespace fiberloom
       return gradients.front().rows();
     }
 
-    /** At the quadrature point number @p point . */
+    /**
+     * Deformation gradient, 3 x 3, at quadrature point number @p point where
+     * the nodes are at @p x .
+     */
     Matrix3
     deformation_gradient(const Eigen::VectorXd &x,
                          const unsigned int     point) const;
@@ -42,10 +45,17 @@ namespace fiberloom
     double
     energy(const Eigen::VectorXd &x) const; // [N mm]
 
-    /** [N]; infinite where an element is turned inside out. */
+    /**
+     * Gradient of the energy at the node positions @p x [N], three entries a
+     * node; infinite where an element is turned inside out.
+     */
     Eigen::VectorXd
     residual(const Eigen::VectorXd &x) const;
 
+    /**
+     * Gradient [N] and Hessian [N/mm] of the energy at @p x , with three rows
+     * and columns a node.
+     */
     void
     residual_and_tangent(const Eigen::VectorXd &x,
                          Eigen::VectorXd       &residual,

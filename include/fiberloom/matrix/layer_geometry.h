@@ -64,7 +64,7 @@ namespace fiberloom
     }
   };
 
-  /** Of the skins of all fibers [mm]. */
+  /** A box along the axes that holds the skins of all fibers [mm]. */
   struct Extent
   {
     Vector3 low, high;

@@ -65,7 +65,7 @@ namespace fiberloom
       return stress_free;
     }
 
-    /** Of a cell, in deal.II's order. */
+    /** Nodes of @p cell , in deal.II's order. */
     const std::vector<unsigned int> &
     nodes(const unsigned int cell) const
     {
@@ -91,9 +91,11 @@ namespace fiberloom
     double
     cell_size() const;
 
-    /** Largest of the cells' sum over the quadrature points of the volume times
-     * the squared gradients of the shape functions: times a modulus, the
-     * stiffness of a cell [mm]. */
+    /**
+     * A scale for the stiffness of a cell, which is this times a modulus [mm]:
+     * the largest of the cells' sums over quadrature points of the volume times
+     * the squared gradients of the shape functions.
+     */
     double
     largest_slope() const
     {
@@ -130,18 +132,23 @@ namespace fiberloom
     Vector3
     unit_point(const unsigned int node_of_cell) const;
 
-    /** Of the cell's nodes, at @p point . */
+    /** Values at @p point of the shape functions of its cell's nodes. */
     std::vector<double>
     shape_values(const CellPoint &point) const;
 
-    /** Deformation gradient at a node of a cell; positions of all nodes as in
-     * #reference . */
+    /**
+     * Deformation gradient, 3 x 3, at node number @p node_of_cell of @p cell ;
+     * @p x : positions of all nodes [mm], as in reference().
+     */
     Matrix3
     deformation_gradient(const Eigen::VectorXd &x,
                          const unsigned int     cell,
                          const unsigned int     node_of_cell) const;
 
-    /** Placement of the cell's nodes in @p x . */
+    /**
+     * Positions of the nodes of @p cell [mm], three components each, where
+     * those of all nodes are @p x .
+     */
     Eigen::VectorXd
     cell_positions(const Eigen::VectorXd &x, const unsigned int cell) const;
 
@@ -155,8 +162,10 @@ namespace fiberloom
     void
     set_up_elements();
 
-    /** Of @p nodes , which is nearest to @p node but for the distance along an
-     * axis. */
+    /**
+     * The one of @p nodes that is nearest to @p node but for the distance along
+     * @p axis .
+     */
     unsigned int
     nearest_across(const unsigned int               node,
                    const unsigned int               axis,

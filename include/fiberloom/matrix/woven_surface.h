@@ -16,7 +16,7 @@ namespace fiberloom
     upper
   };
 
-  /** Of the fabric. */
+  /** How the borders of the fabric are. */
   enum class Borders
   {
     open,

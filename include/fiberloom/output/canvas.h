@@ -25,7 +25,7 @@ namespace fiberloom
   class Canvas
   {
   public:
-    /** Of a triangle; place as said above. */
+    /** A corner of a triangle; its position is given as for the canvas. */
     struct Corner
     {
       Vector3 position;

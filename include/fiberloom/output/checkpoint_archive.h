@@ -50,7 +50,7 @@ namespace fiberloom
         boost::archive::archive_exception::input_stream_error);
     }
 
-    /** Of a stream that holds all in memory. */
+    /** Bytes that are left in the stream, which holds all in memory. */
     double
     bytes_left()
     {
@@ -72,7 +72,7 @@ namespace fiberloom
         fail();
     }
 
-    /** Of vectors of numbers, the only ones of this type. */
+    /** Reads the size of a vector of numbers; nothing else has this type. */
     void
     load_override(Eigen::Index &size)
     {

@@ -20,7 +20,7 @@ namespace fiberloom
     Color
     lighter(const double amount) const;
 
-    /** As in "#1f77b4". */
+    /** The color as text, such as "#1f77b4". */
     std::string
     hexadecimal() const;
   };

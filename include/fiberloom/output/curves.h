@@ -14,7 +14,7 @@
 
 namespace fiberloom
 {
-  /** Of which increment rows of tables about @p report are. */
+  /** The place of the rows that tables get about @p report . */
   IncrementTable::Place
   place_of(const IncrementReport &report);
 

@@ -45,7 +45,7 @@ namespace fiberloom
     void
     append(const Place &place, const Measures &measures);
 
-    /** Those of the last row by their headings; empty if there is none. */
+    /** Values of the last row by their headings; empty if there is none. */
     std::vector<std::pair<std::string, double>>
     last() const;
   };

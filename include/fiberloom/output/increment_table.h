@@ -23,7 +23,7 @@ namespace fiberloom
   class IncrementTable
   {
   public:
-    /** Of which increment a row is. */
+    /** The stage, increment and load that a row belongs to. */
     struct Place
     {
       unsigned int stage_index; // position in the scene

@@ -29,8 +29,10 @@ namespace fiberloom
     double                                      peak_memory_bytes = 0;
   };
 
-  /** As a JSON object. Numbers read back as they are; those that are not finite
-   * become null. Bytes that are no UTF-8 become U+FFFD. */
+  /**
+   * @p summary as a JSON object. Numbers read back as they are; those that are
+   * not finite become null. Bytes that are no UTF-8 become U+FFFD.
+   */
   std::string
   summary_json(const Summary &summary);
 

@@ -77,7 +77,7 @@ namespace fiberloom
     std::ostringstream body;
   };
 
-  /** As XML and HTML want text. */
+  /** @p text as XML and HTML want it. */
   std::string
   escaped(const std::string &text);
 

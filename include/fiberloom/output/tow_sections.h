@@ -24,12 +24,16 @@ namespace fiberloom
     std::vector<Section> fibers;     // where each passes the plane
     std::vector<double>  areas;      // of their cuts [mm^2]
 
-    /** Of @p position , from the center. */
+    /**
+     * Coordinates of @p position in the plane of the cut, from the center [mm].
+     */
     Point
     point(const Vector3 &position) const;
 
-    /** Of the fibers' skins, in counter-clockwise order; each has
-     * @p n_around points. */
+    /**
+     * Convex hull of the fibers' skins, in counter-clockwise order; each skin
+     * has @p n_around points.
+     */
     std::vector<Point>
     hull(const unsigned int n_around) const;
   };

@@ -12,14 +12,14 @@
 
 namespace fiberloom
 {
-  /** Of an isotropic matrix. */
+  /** Elastic constants of an isotropic matrix. */
   struct MatrixConstants
   {
     double young_modulus; // [MPa]
     double poisson_ratio;
   };
 
-  /** Of fibers along the first axis in a matrix. */
+  /** Elastic constants of a tow: fibers along the first axis in a matrix. */
   struct TowConstants
   {
     double young_modulus_1, young_modulus_2; // [MPa]

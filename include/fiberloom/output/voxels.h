@@ -47,8 +47,10 @@ namespace fiberloom
               const std::vector<TowShape> &shapes,
               const double                 size);
 
-  /** As an image of VTK (.vti) with cell data tow, fiber_volume_fraction and
-   * orientation. */
+  /**
+   * @p grid as an image of VTK (.vti) with cell data tow, fiber_volume_fraction
+   * and orientation.
+   */
   std::string
   voxels_vti(const VoxelGrid &grid);
 } // namespace fiberloom

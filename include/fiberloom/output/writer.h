@@ -142,7 +142,7 @@ namespace fiberloom
       return output_seconds;
     }
 
-    /** Of the stages so far, those before a restart included. */
+    /** Statistics of the stages so far, those before a restart included. */
     const std::vector<StageStatistics> &
     stages() const
     {
@@ -210,7 +210,7 @@ namespace fiberloom
     void
     write_pictures(const IncrementReport &report, const std::string &label);
 
-    /** Of the end of stage number @p stage : those that are there. */
+    /** The pictures of the end of stage number @p stage that are there. */
     std::vector<ReportPicture>
     pictures_of_stage(const unsigned int stage) const;
 

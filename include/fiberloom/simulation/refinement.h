@@ -25,7 +25,7 @@ namespace fiberloom
   /** Tolerances of a refined scene over those by which a state was found. */
   constexpr double tighter = .1;
 
-  /** Of a finer scene, with tighter tolerances. */
+  /** The parameters of a finer scene, with tighter tolerances. */
   Parameters
   refine(Parameters parameters, const Refinement &refinement);
 

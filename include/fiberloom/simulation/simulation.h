@@ -103,7 +103,7 @@ namespace fiberloom
     void
     record_stages_before(const State &state, OutputWriter &writer) const;
 
-    /** Of the stage that @p state is in. */
+    /** Statistics of the stage that @p state is in. */
     StageStatistics
     statistics_so_far(const State &state) const;
 
@@ -128,12 +128,14 @@ namespace fiberloom
                    const StopRequest           &stop,
                    const std::function<void()> &save);
 
-    /** Of the stage that @p state is in. */
+    /** What is to come after the stage that @p state is in. */
     StageRun::Ahead
     ahead(const Scene &scene, const State &state) const;
 
-    /** Of the error of a stage that has come from @p before by its last
-     * increment; for log.txt and @p statistics . */
+    /**
+     * Estimates the error of a stage that has come from @p before by its last
+     * increment, for log.txt and @p statistics .
+     */
     void
     estimate(const Scene     &scene,
              const State     &before,

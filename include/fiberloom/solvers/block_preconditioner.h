@@ -26,7 +26,10 @@ namespace fiberloom
     void
     forget();
 
-    /** As DirectFactor::factorize(), of both; keeps a reference. */
+    /**
+     * Factorises both blocks of @p matrix , which is kept by reference. Returns
+     * the number of negative pivots or -1, as DirectFactor::factorize().
+     */
     int
     factorize(const BlockMatrix &matrix);
 

@@ -107,14 +107,19 @@ namespace fiberloom
       return increment.contacts;
     }
 
+    /**
+     * The largest penetration of contacts of the last solve, over the radius.
+     */
     double
     largest_penetration() const // over the radius
     {
       return penetration.largest(increment.contacts);
     }
 
-    /** Of the last tangent that was factorised, before it was shifted; -1 if
-     * that failed. */
+    /**
+     * Number of negative pivots of the last tangent that was factorised, before
+     * it was shifted; -1 if its factorisation failed.
+     */
     int
     negative_pivots() const
     {
@@ -136,11 +141,14 @@ namespace fiberloom
     }
 
   private:
-    /** As solve(), whatever the fibers may have passed. */
+    /** Does what solve() does, whatever the fibers may have passed. */
     bool
     find(State &state, const Problem &problem);
 
-    /** Whether nothing may have passed; remembers that. */
+    /**
+     * Whether no fiber may have passed through another on the way to @p state ;
+     * remembers the answer.
+     */
     bool
     keeps_sides(const State &state, const Problem &problem);
 
@@ -207,7 +215,7 @@ namespace fiberloom
     bool
     solve_nested(State &state, const Problem &problem);
 
-    /** Of a benchmark: a factorisation of the last tangent. */
+    /** Times a factorisation of the last tangent, for a benchmark. */
     void
     time_yardstick();
 

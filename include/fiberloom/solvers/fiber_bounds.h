@@ -33,6 +33,10 @@ namespace fiberloom
     void
     release();
 
+    /**
+     * Adds the multipliers to the diagonals of their fibers in the system's
+     * matrix.
+     */
     void
     add_to_matrix();
 
@@ -46,8 +50,10 @@ namespace fiberloom
          const std::vector<double> &step,
          const Eigen::VectorXd     &increment);
 
-    /** As that, and lowers those of fibers within their bounds, for the next
-     * matrix only. */
+    /**
+     * Raises multipliers as hold() does, and lowers those of fibers within
+     * their bounds, for the next matrix only.
+     */
     void
     prepare_next(const std::vector<double> &gradient,
                  const std::vector<double> &step,
@@ -62,7 +68,7 @@ namespace fiberloom
     std::vector<double>
     moves(const Eigen::VectorXd &increment) const;
 
-    /** Of fibers along their parts of @p step [N/mm]. */
+    /** Stiffness of each fiber along its part of @p step [N/mm]. */
     std::vector<double>
     stiffness(const std::vector<double> &gradient,
               const std::vector<double> &step) const;

@@ -44,24 +44,28 @@ namespace fiberloom
               System                 &system,
               StageStatistics        &statistics);
 
-    /** Contacts anew at @p state , and the pattern of the system. */
+    /** Finds contacts anew at @p state , and sets the pattern of the system. */
     void
     generate(State &state, const Problem &problem);
 
-    /** As generate(), but friction keeps its particles, history and
-     * limits where a contact is still there. */
+    /**
+     * Finds contacts anew as generate() does, but friction keeps its particles,
+     * history and limits where a contact is still there.
+     */
     void
     regenerate(State &state, const Problem &problem);
 
-    /** Normals, particles and friction limits of these contacts. */
+    /**
+     * Updates normals, particles and friction limits of the present contacts.
+     */
     void
     update_normals(const State &state, const Problem &problem);
 
-    /** Residual and tangent. */
+    /** Assembles residual and tangent of the system at @p state . */
     void
     assemble(const State &state, const Problem &problem);
 
-    /** Residual alone, over its scale. */
+    /** Assembles the residual alone and returns it over its scale. */
     double
     measure(const State &state, const Problem &problem);
 
@@ -69,7 +73,9 @@ namespace fiberloom
     double
     measure_anew(State &state, const Problem &problem);
 
-    /** Of what was assembled last. */
+    /**
+     * The largest unbalanced force of what was assembled last, over scale().
+     */
     double
     residual(const Problem &problem) const;
 
@@ -77,7 +83,7 @@ namespace fiberloom
     double
     scale(const Problem &problem) const;
 
-    /** Below which the increment is in balance. */
+    /** The residual over its scale below which the increment is in balance. */
     double
     tolerance() const;
 

@@ -29,25 +29,33 @@ namespace fiberloom
       return moving.empty();
     }
 
+    /** From here on all fibers move again. */
     void
     release();
 
-    /** Those that went further than @p part of the furthest of all @p moves ;
-     * all, if they are more than this part of the fibers. */
+    /**
+     * Chooses the fibers that went further than @p part of the furthest of all
+     * @p moves ; all, if they are more than this part of the fibers.
+     */
     void
     choose(const std::vector<double> &moves, const double part);
 
     /** Sets what belongs to others to zero, in the owned dofs. */
     void restrict(std::vector<double> &values) const;
 
-    /** The system's matrix to that of those that move; others have a diagonal
-     * only. */
+    /**
+     * Reduces the system's matrix to the rows and columns of those that move;
+     * others keep a diagonal only.
+     */
     void
     restrict_matrix() const;
 
-    /** Takes note of what is out of balance, of all fibers. Whether theirs is
-     * still above @p part of what it was and above that of the others, in fewer
-     * than @p most iterations; then the system is restricted to them again. */
+    /**
+     * Takes note of the unbalanced forces of all fibers. Whether those of the
+     * moving ones are still above @p part of what they were and above those of
+     * the others, in fewer than @p most iterations; then the system is
+     * restricted to them again.
+     */
     bool
     are_worth_it(const double part, const unsigned int most);
 

@@ -29,6 +29,7 @@ namespace fiberloom
                 const ContactParameters &parameters,
                 const Motion            &motion);
 
+    /** The largest penetration of @p contacts over the radius. */
     double
     largest(const std::vector<ContactElement> &contacts) const;
 
@@ -40,10 +41,16 @@ namespace fiberloom
     bool
     is_thrown(const std::vector<ContactElement> &contacts) const;
 
+    /**
+     * Whether some of @p contacts are so deep that zones have to be stiffened.
+     */
     bool
     needs_stiffening(const std::vector<ContactElement> &contacts) const;
 
-    /** Of zones that are too soft; whether there were any. */
+    /**
+     * Stiffens those @p zones of @p contacts that are too soft; whether there
+     * were any.
+     */
     bool
     stiffen(const std::vector<ContactElement> &contacts,
             std::vector<ContactZone>          &zones) const;

@@ -31,26 +31,32 @@ namespace fiberloom
     void
     follow(const Eigen::VectorXd &q);
 
-    /** Of the motions. */
+    /**
+     * The layout of the motions: six dofs in the block of a node that is split.
+     */
     const BlockLayout &
     layout() const
     {
       return reduced;
     }
 
+    /**
+     * Whether @p block is a fiber node that is split into motions and strains.
+     */
     bool
     is_split(const unsigned int block) const
     {
       return reduced.size(block) < full.size(block);
     }
 
-    /** Of a node that is split. */
+    /** The basis of the six motions of a node that is split, 9 x 6. */
     const Motions &
     motions(const unsigned int block) const
     {
       return motion_basis[block];
     }
 
+    /** The basis of its three strains, 9 x 3. */
     const Strains &
     strains(const unsigned int block) const
     {

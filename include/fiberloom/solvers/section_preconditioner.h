@@ -34,7 +34,10 @@ namespace fiberloom
     void
     forget();
 
-    /** As DirectFactor::factorize(), of motions and strains; keeps a reference.
+    /**
+     * Factorises motions and strains of @p matrix , which is kept by reference.
+     * Returns the number of negative pivots or -1; @p dropped as in
+     * DirectFactor::factorize().
      */
     int
     factorize(const BlockMatrix &matrix, const double dropped);

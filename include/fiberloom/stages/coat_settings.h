@@ -27,7 +27,7 @@ namespace fiberloom
     void
     check(const Parameters &parameters) const override;
 
-    /** Of a modulus that no matrix has. */
+    /** A note where the modulus is one that no matrix has. */
     std::vector<std::string>
     notes(const Parameters &parameters) const override;
 
@@ -38,7 +38,7 @@ namespace fiberloom
     }
   };
 
-  /** Those of a scene. */
+  /** The parameters of the matrix that a scene asks for. */
   const MatrixParameters &
   matrix_of(const Parameters &parameters);
 } // namespace fiberloom

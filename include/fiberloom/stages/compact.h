@@ -32,7 +32,10 @@ namespace fiberloom
     void
     check(const Parameters &parameters) const override;
 
-    /** Of plates that do not come as near as asked for where tows cross. */
+    /**
+     * A note where the plates do not come as near as asked for where tows
+     * cross.
+     */
     std::vector<std::string>
     notes(const Parameters &parameters) const override;
   };
@@ -97,11 +100,13 @@ namespace fiberloom
     double
     plate_friction() const;
 
-    /** Of the cell [mm^2]. */
+    /** Area of the cell in the plane [mm^2]. */
     double
     area(const std::vector<Placement> &placements) const;
 
-    /** Of the plates at the end [mm]; 0 where a pressure is asked for. */
+    /**
+     * Distance of the plates at the end [mm]; 0 where a pressure is asked for.
+     */
     double
     last_distance(const std::vector<Placement> &start) const;
 

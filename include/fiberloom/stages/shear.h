@@ -65,7 +65,7 @@ namespace fiberloom
     spin(const Vector3 &start, const Direction along) const override;
 
   private:
-    /** Of a cell, whose bars are its periods. */
+    /** Columns of the curve of a periodic cell, whose bars are its periods. */
     CurveRow
     cell_curve(const State                   &state,
                const std::vector<BodyVector> &reactions) const;

@@ -111,10 +111,11 @@ namespace fiberloom
     virtual ContactRule
     rule(const double load) const;
 
-    /** Of the load. */
+    /** Length of the first increment, as a part of the load. */
     virtual double
     first_step(const State &state) const = 0;
 
+    /** Largest length of an increment, as a part of the load. */
     virtual double
     largest_step() const
     {

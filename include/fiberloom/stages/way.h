@@ -39,7 +39,7 @@ namespace fiberloom
     double
     at(const double load) const;
 
-    /** Of all legs together: from 0 to 1 and back it is 2. */
+    /** Length of all legs together: from 0 to 1 and back it is 2. */
     double
     length() const
     {
