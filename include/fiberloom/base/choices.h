@@ -37,7 +37,7 @@ namespace fiberloom
       ->second;
   }
 
-  /** Nothing where there is none of this name. */
+  /** The choice that has this @p name ; nothing where there is none. */
   template <class Choice>
   std::optional<Choice>
   find_choice(const std::string &name)
@@ -51,7 +51,9 @@ namespace fiberloom
     return found->first;
   }
 
-  /** Throws InputError where there is none of this name. */
+  /**
+   * The choice that has this @p name . Throws InputError where there is none.
+   */
   template <class Choice>
   Choice
   choice_of(const std::string &name)
@@ -62,7 +64,7 @@ namespace fiberloom
     return *found;
   }
 
-  /** All there are, with @p separator between. */
+  /** The names of all choices, with @p separator between. */
   template <class Choice>
   std::string
   all_names(const std::string &separator)

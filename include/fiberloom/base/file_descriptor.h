@@ -43,10 +43,11 @@ namespace fiberloom
     bool
     is_regular() const;
 
-    /** In bytes; 0 where the system does not tell. */
+    /** Size of the file in bytes; 0 where the system does not tell. */
     std::uint64_t
     size() const;
 
+    /** Writes all of @p content . Throws StageFailure. */
     void
     write(const std::string &content);
 

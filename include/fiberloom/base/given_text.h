@@ -24,6 +24,7 @@ namespace fiberloom
   class GivenText
   {
   public:
+    /** The text as the user gave it. */
     const std::string &
     text() const
     {
@@ -89,7 +90,7 @@ namespace fiberloom
       return bits;
     }
 
-    /** In the order in which they are named. */
+    /** The choices in the order in which they are named. */
     const std::vector<Choice> &
     list() const
     {
@@ -116,13 +117,14 @@ namespace fiberloom
 
     GivenPoint(const std::string &text);
 
-    /** Nothing where none is given, or something that is none. */
+    /** The point; nothing where none is given, or the text is none. */
     const std::optional<Vector3> &
     point() const
     {
       return place;
     }
 
+    /** Whether there is a text that is no point. */
     bool
     is_wrong() const
     {

@@ -19,7 +19,7 @@ namespace fiberloom
   std::ifstream
   open_input_file(const std::string &file, const std::uintmax_t most_bytes);
 
-  /** All of it, with the same errors. */
+  /** Reads all of a file that the user named, with the same errors. */
   std::string
   read_input_file(const std::string &file, const std::uintmax_t most_bytes);
 } // namespace fiberloom

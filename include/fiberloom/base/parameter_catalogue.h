@@ -34,30 +34,34 @@ namespace fiberloom
     std::shared_ptr<const dealii::Patterns::PatternBase> pattern;
     std::string                                          text;
 
+    /** Numbers above @p lower . */
     static Allowed
     above(const double lower);
 
+    /** Numbers that are not below @p lower . */
     static Allowed
     at_least(const double lower);
 
-    /** With both bounds. */
+    /** Numbers from @p lower to @p upper , both included. */
     static Allowed
     from_to(const double lower, const double upper);
 
-    /** With the lower bound, without the upper one. */
+    /** Numbers from @p lower on that are below @p upper . */
     static Allowed
     from_to_below(const double lower, const double upper);
 
     static Allowed
     any_number();
 
+    /** Whole numbers from @p lower to @p upper . */
     static Allowed
     whole(const int lower, const int upper);
 
+    /** One of these texts. */
     static Allowed
     one_of(const std::vector<std::string> &names);
 
-    /** By their names. */
+    /** One of @p choices , by its name. */
     template <class Choice>
     static Allowed
     one_of(const Choices<Choice> &choices);
@@ -106,6 +110,10 @@ namespace fiberloom
       }
     };
 
+    /**
+     * Declares what follows in section @p name of the current one, until
+     * leave_section().
+     */
     void
     enter_section(const std::string &name);
 
@@ -142,18 +150,24 @@ namespace fiberloom
     std::string
     get(const std::string &path);
 
-    /** Null if there is none. */
+    /** The entry @p path ; null if there is none. */
     const Entry *
     find(const std::string &path) const;
 
     bool
     has_section(const std::string &path) const;
 
-    /** Says that there is none, and the nearest entry if one is near. */
+    /**
+     * Says that there is no entry @p path , and names the nearest one if one is
+     * near.
+     */
     std::string
     explain_unknown_entry(const std::string &path) const;
 
-    /** Says that there is none, and those there are at this place. */
+    /**
+     * Says that there is no section @p path , and names those there are at this
+     * place.
+     */
     std::string
     explain_unknown_section(const std::string &path) const;
 

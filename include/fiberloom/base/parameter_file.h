@@ -35,7 +35,9 @@ namespace fiberloom
     std::string
     value(const std::string &path, const std::string &otherwise) const;
 
-    /** For each entry that is set its path and "FILE, line N". */
+    /**
+     * The place "FILE, line N" of each entry that is set, by the entry's path.
+     */
     std::map<std::string, std::string>
     locations() const;
 

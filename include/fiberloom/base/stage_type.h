@@ -25,9 +25,11 @@ namespace fiberloom
   public:
     virtual ~StageSettings() = default;
 
+    /** A copy of the derived type. */
     virtual std::unique_ptr<StageSettings>
     clone() const = 0;
 
+    /** Declares all entries; parsing @p catalogue fills them. */
     virtual void
     declare(ParameterCatalogue &catalogue) = 0;
 
@@ -38,18 +40,20 @@ namespace fiberloom
     resolve(const Parameters & /*parameters*/)
     {}
 
-    /** Throws InputError for what is wrong of them, whether or not @p
-     * parameters have such a stage. */
+    /**
+     * Throws InputError for what is wrong of them, whether or not @p parameters
+     * have such a stage.
+     */
     virtual void
     check(const Parameters &parameters) const = 0;
 
-    /** The same of what does not go with the fibers of the scene. */
+    /** Throws InputError for what does not go with the fibers of the scene. */
     virtual void
     check_fibers(const Parameters & /*parameters*/,
                  const FiberSet & /*fibers*/) const
     {}
 
-    /** What is no fault, but what the user should know. */
+    /** Notes on what is no fault, but what the user should know. */
     virtual std::vector<std::string>
     notes(const Parameters & /*parameters*/) const
     {
@@ -83,7 +87,7 @@ namespace fiberloom
     }
   };
 
-  /** For StageType::settings. */
+  /** Creates default settings of this type, for StageType::settings. */
   template <class Settings>
   std::unique_ptr<StageSettings>
   make_settings()
@@ -94,7 +98,7 @@ namespace fiberloom
   /** A type of stage, as far as input is concerned. */
   struct StageType
   {
-    /** What it can be run on. */
+    /** The samples on which a type of stage can be run. */
     enum class Sample
     {
       fibers, // any
@@ -138,21 +142,27 @@ namespace fiberloom
     }
   };
 
-  /** All there are, in the order in which a user reads them; what lists them
-   * stands beside the stages. */
+  /**
+   * All types there are, in the order in which a user reads them; what lists
+   * them stands beside the stages.
+   */
   const std::vector<StageType> &
   stage_types();
 
-  /** Throws InputError for an unknown name. */
+  /** The type that has this name. Throws InputError where there is none. */
   const StageType &
   stage_type(const std::string &name);
 
-  /** Whether it is one @p that adds a matrix, or whatever else is asked; false
-   * of an unknown name, as a file of another version may have. */
+  /**
+   * Whether the type @p name is one @p that adds a matrix, or whatever else is
+   * asked; false for an unknown name, as a file of another version may have.
+   */
   bool
   is_stage(const std::string &name, bool StageType::*that);
 
-  /** "weave, relax, coat": those for which @p is_meant . */
+  /**
+   * Names of the types for which @p is_meant , such as "weave, relax, coat".
+   */
   std::string
   stage_names(const std::function<bool(const StageType &)> &is_meant =
                 [](const StageType &) { return true; });
@@ -169,6 +179,7 @@ namespace fiberloom
     AllStageSettings &
     operator=(const AllStageSettings &other);
 
+    /** The settings of this type. Throws std::bad_cast where there are none. */
     template <class Settings>
     Settings &
     get()
@@ -186,7 +197,7 @@ namespace fiberloom
       return const_cast<AllStageSettings *>(this)->get<Settings>();
     }
 
-    /** Null where the type has none. */
+    /** The settings of @p type ; null where it has none. */
     const StageSettings *
     find(const std::string &type) const;
 
@@ -202,7 +213,7 @@ namespace fiberloom
     void
     check_fibers(const Parameters &parameters, const FiberSet &fibers) const;
 
-    /** Whether any does. */
+    /** Whether the settings of any type describe a matrix. */
     bool
     describe_matrix() const;
 

@@ -33,6 +33,9 @@ namespace fiberloom
   class Breakage
   {
   public:
+    /**
+     * Draws the breaking strain of each element; @p mesh is kept by reference.
+     */
     Breakage(const FiberSet &fibers, const FiberMesh &mesh);
 
     /** Strain at which @p element breaks; infinite where it never does. */

@@ -35,7 +35,7 @@ namespace fiberloom
     }
   };
 
-  /** Where on a fiber: element of the mesh and xi in [-1, 1]. */
+  /** A place on a fiber: element of the mesh and xi in [-1, 1]. */
   struct ElementPoint
   {
     unsigned int element;
@@ -105,6 +105,7 @@ namespace fiberloom
       return element_fibers[element];
     }
 
+    /** The first of the three nodes of @p element ; the others follow it. */
     unsigned int
     first_node(const unsigned int element) const
     {
@@ -118,7 +119,10 @@ namespace fiberloom
       return beam_elements[e];
     }
 
-    /** What @p visit returns of an element as @p history has left it. */
+    /**
+     * Calls @p visit with element @p e as @p history has left it, whole or
+     * broken, and returns what it returns.
+     */
     template <class Visitor>
     auto
     visit_element(const unsigned int  e,
@@ -129,14 +133,17 @@ namespace fiberloom
                                     visit(beam_elements[e]);
     }
 
-    /** Stress-free placement. */
+    /** Dofs of the stress-free placement, nine for each node [mm]. */
     const DofVector &
     reference() const
     {
       return reference_dofs;
     }
 
-    /** Placement at the start, which need not be free of stress. */
+    /**
+     * Dofs of the placement at the start, which need not be free of stress
+     * [mm].
+     */
     const DofVector &
     initial() const
     {

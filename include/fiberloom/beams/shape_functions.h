@@ -15,7 +15,7 @@ namespace fiberloom
     return {{.5 * xi * (xi - 1), 1 - xi * xi, .5 * xi * (xi + 1)}};
   }
 
-  /** Their derivatives by xi. */
+  /** Derivatives of shape_values() by @p xi . */
   inline std::array<double, 3>
   shape_derivatives(const double xi)
   {

@@ -59,16 +59,18 @@ namespace fiberloom
   class ContactGenerator
   {
   public:
+    /** References are kept; every rank of @p comm gives the same. */
     ContactGenerator(const FiberSet          &fibers,
                      const FiberMesh         &mesh,
                      const ContactParameters &parameters,
                      const MPI_Comm           comm);
 
     /**
-     * Collective. All contact elements at placement @p q . Zones in @p state
-     * are replaced by the ones found, which inherit from their predecessors;
-     * its history is read. @p q_before is the placement of the last accepted
-     * increment; only there may stations become fewer.
+     * Finds all contact elements where the dofs of the fibers are @p q . Zones
+     * in @p state are replaced by the ones found, which inherit from their
+     * predecessors; its history is read. @p q_before is the placement of the
+     * last accepted increment; only there may stations become fewer.
+     * Collective.
      */
     std::vector<ContactElement>
     generate(const DofVector   &q,
@@ -77,8 +79,8 @@ namespace fiberloom
              ContactState      &state);
 
     /**
-     * Normals, particles and friction limits mu f* of @p contacts from
-     * placement @p q , the stations kept.
+     * Sets normals, particles and friction limits mu f* of @p contacts for the
+     * placement @p q ; the stations are kept.
      */
     void
     update(std::vector<ContactElement> &contacts,
@@ -172,8 +174,10 @@ namespace fiberloom
     ContactZone
     successor(ContactZone zone, const ContactState &before) const;
 
-    /** Where the plane across the intermediate geometry at @p u of the first
-     * fiber cuts the second one. */
+    /**
+     * The parameter at which the plane across the intermediate geometry at @p u
+     * of the first fiber cuts the second one.
+     */
     std::optional<double>
     cut_second(const ProximityZone &zone,
                const double         u,

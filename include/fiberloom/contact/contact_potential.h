@@ -32,6 +32,7 @@ namespace fiberloom
     std::array<unsigned char, most_nodes> fiber; // 0 or 1
     std::array<double, most_nodes>        value, first;
 
+    /** The 9 x 9 block of the Hessian by the nodes @p a and @p b [N/mm]. */
     Block
     block(const unsigned int a, const unsigned int b) const
     {

@@ -58,8 +58,10 @@ namespace fiberloom
       scalars[cosine] = t[0].dot(t[1]);
     }
 
-    /** On which side of each other the fibers are, over the one they belong
-     * on: 1 or -1. */
+    /**
+     * 1 where the fibers are on the sides of each other on which they belong,
+     * else -1.
+     */
     double
     sign(const ContactElement &contact) const
     {

@@ -58,7 +58,10 @@ namespace fiberloom
     }
   };
 
-  /** The same of a section that touches a plate. */
+  /**
+   * Reversible slip of a section that touches a plate, at the end of the last
+   * accepted increment.
+   */
   struct PlateHistory
   {
     unsigned int          fiber;
@@ -74,8 +77,10 @@ namespace fiberloom
     }
   };
 
-  /** All that contact remembers; part of the state. Each sorted by fibers, then
-   * u. */
+  /**
+   * All that contact remembers; part of the state. Each list is sorted by
+   * fibers, then by u.
+   */
   struct ContactState
   {
     std::vector<ContactZone>     zones;

@@ -26,10 +26,14 @@ namespace fiberloom
     std::array<unsigned int, 2> fibers;
     std::vector<Match>          matches; // sorted by pieces
 
+    /** The match with the smallest distance. */
     const Match &
     closest() const;
 
-    /** Begin and end on fiber @p side . */
+    /**
+     * Parameters u at which the zone begins and ends on fiber number @p side ,
+     * 0 or 1.
+     */
     std::array<double, 2>
     range(const unsigned int side) const;
   };

@@ -47,6 +47,10 @@ namespace fiberloom
   class JunctionElement
   {
   public:
+    /**
+     * Takes nodes and weights of @p junction from the meshes of fibers and
+     * matrix, which are not kept.
+     */
     JunctionElement(const Junction   &junction,
                     const FiberMesh  &fibers,
                     const MatrixMesh &matrix);
@@ -60,17 +64,18 @@ namespace fiberloom
       return nodes_of_fiber;
     }
 
+    /** Nodes of the matrix in its own numbers, see fiber_nodes(). */
     const std::vector<unsigned int> &
     matrix_nodes() const
     {
       return nodes_of_matrix;
     }
 
-    /** Placement of the fiber's particle; @p q as in FiberMesh. */
+    /** Position of the fiber's particle [mm]; @p q as in FiberMesh. */
     Vector3
     fiber_particle(const DofVector &q) const;
 
-    /** The same of the matrix; @p x as in MatrixMesh. */
+    /** Position of the matrix's particle [mm]; @p x as in MatrixMesh. */
     Vector3
     matrix_particle(const Eigen::VectorXd &x) const;
 
@@ -81,6 +86,7 @@ namespace fiberloom
       return stiffness * (matrix_particle(x) - fiber_particle(q));
     }
 
+    /** Energy of the spring, k/2 |x_f - x_m|^2 [N mm]. */
     double
     energy(const DofVector &q, const Eigen::VectorXd &x) const
     {
@@ -98,6 +104,7 @@ namespace fiberloom
       return vector_weights;
     }
 
+    /** Stiffness k of the spring [N/mm]. */
     double
     spring() const
     {

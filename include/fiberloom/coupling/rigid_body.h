@@ -122,14 +122,20 @@ namespace fiberloom
     unsigned int          body;
     std::array<double, 2> size; // stress-free periods [mm]
 
-    /** Sum of so many periods along x and y where they are stress-free. */
+    /**
+     * Sum of @p x periods along x and @p y along y where they are stress-free
+     * [mm].
+     */
     Vector3
     shift(const double x, const double y) const
     {
       return {x * size[0], y * size[1], 0};
     }
 
-    /** By what the elongations are to be multiplied to get what they add. */
+    /**
+     * The matrix by which the elongations (a, b, c) are multiplied to get what
+     * they add to shift( @p x , @p y ).
+     */
     Matrix3
     slope(const double x, const double y) const
     {

@@ -18,6 +18,9 @@ namespace fiberloom
     std::string  name;     // "start", "end", "at 0.5"
     double       position; // in nodes from the start, not always whole
 
+    /**
+     * Number of the node of the fiber that is nearest, counted from its start.
+     */
     unsigned int
     nearest_node() const;
 
@@ -26,7 +29,9 @@ namespace fiberloom
     is_node() const;
   };
 
-  /** How fibers and points are to be named, for error messages. */
+  /**
+   * Texts that say how fibers and points are to be named, for error messages.
+   */
   extern const std::string fibers_allowed, points_allowed;
 
   /**

@@ -116,7 +116,10 @@ namespace fiberloom
   FiberSet
   build_fibers(const Parameters &parameters);
 
-  /** Whichever of the two the parameters describe. Throws InputError. */
+  /**
+   * The fibers of a fabric or of section Fibers, whichever the parameters
+   * describe. Throws InputError.
+   */
   FiberSet
   build_fiber_set(const Parameters &parameters);
 } // namespace fiberloom

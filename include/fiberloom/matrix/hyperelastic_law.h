@@ -39,7 +39,10 @@ namespace fiberloom
     Voigt
     stress(const Matrix3 &F) const;
 
-    /** Its derivative by the strain with doubled shear components [MPa]. */
+    /**
+     * Derivative of the stress by the strain with doubled shear components, 6 x
+     * 6 [MPa].
+     */
     Voigt2
     stiffness(const Matrix3 &F) const;
 

@@ -47,11 +47,11 @@ namespace fiberloom
     }
   };
 
-  /** The same block with @p n cells along each edge of one. */
+  /** @p block with @p n cells along each edge of one of its cells. */
   LayerBlock
   subdivided(const LayerBlock &block, const unsigned int n);
 
-  /** Where the layers of matrix are without stress; empty: there is none. */
+  /** The layers of matrix without stress; empty where there is none. */
   struct LayerGeometry
   {
     std::vector<LayerBlock> blocks;
@@ -70,11 +70,14 @@ namespace fiberloom
     Vector3 low, high;
   };
 
+  /** The box that holds the skins of all fibers where their dofs are @p q . */
   Extent
   skin_extent(const FiberMesh &mesh, const DofVector &q);
 
-  /** The same, in the plane that of a periodic cell if it is one. Throws
-   * InputError where the cell is sheared. */
+  /**
+   * The same box; in the plane it is that of a periodic cell if there is one.
+   * Throws InputError where the cell is sheared.
+   */
   Extent
   fabric_extent(const FiberMesh &mesh, const DofVector &q);
 

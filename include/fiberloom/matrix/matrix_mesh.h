@@ -18,14 +18,16 @@
 
 namespace fiberloom
 {
-  /** That across @p axis , 0 to 2, at its start (side 0) or end (side 1). */
+  /**
+   * The border across @p axis , 0 to 2, at its start (side 0) or end (side 1).
+   */
   inline MatrixBorder
   border_across(const unsigned int axis, const unsigned int side)
   {
     return static_cast<MatrixBorder>(2 * axis + side);
   }
 
-  /** Where in the matrix: a cell and coordinates in [0, 1]^3. */
+  /** A place in the matrix: a cell and coordinates in [0, 1]^3. */
   struct CellPoint
   {
     unsigned int cell;
@@ -41,6 +43,7 @@ namespace fiberloom
   class MatrixMesh
   {
   public:
+    /** Meshes the layers of @p geometry with elements of @p degree , 1 or 2. */
     MatrixMesh(const LayerGeometry   &geometry,
                const unsigned int     degree,
                const HyperelasticLaw &law);
@@ -118,7 +121,9 @@ namespace fiberloom
       return period_nodes[axis];
     }
 
-    /** By how many periods @p position , moved to the cell, has been beyond it.
+    /**
+     * Moves @p position by whole periods to the cell; returns by how many it
+     * had been beyond it along x and y.
      */
     std::array<int, 2>
     move_to_cell(Vector3 &position) const;

@@ -85,7 +85,10 @@ namespace fiberloom
       return original_nodes;
     }
 
-    /** Force on the fiber [N] at the dofs @p q of a state. */
+    /**
+     * Force of junction number @p junction on its fiber [N] at the dofs @p q of
+     * a state.
+     */
     Vector3
     junction_force(const unsigned int junction, const DofVector &q) const;
 

@@ -40,7 +40,10 @@ namespace fiberloom
     double
     energy(const State &state) const override;
 
-    /** Through the strain. */
+    /**
+     * What rounding of the positions makes of its forces, through the strain
+     * [N].
+     */
     double
     rounding() const override;
   };

@@ -24,6 +24,10 @@ namespace fiberloom
   class Motion
   {
   public:
+    /**
+     * References are kept. @p originals : what each node is the image of; empty
+     * without a cell.
+     */
     Motion(const FiberMesh              &mesh,
            const Supports               &supports,
            const BlockLayout            &layout,
@@ -36,7 +40,10 @@ namespace fiberloom
       return node_attachments;
     }
 
-    /** -1 for a body's block, too. */
+    /**
+     * Index of the attachment of @p node ; -1 where it is free, and for the
+     * block of a body.
+     */
     int
     attachment(const unsigned int node) const
     {
@@ -52,19 +59,26 @@ namespace fiberloom
                int(supports.attachments[node_attachments[node]].body);
     }
 
+    /**
+     * Whether the unknown number @p dof of the system is fixed or prescribed.
+     */
     bool
     is_fixed(const unsigned int dof) const
     {
       return fixed[dof];
     }
 
+    /** Whether one of the unknowns of @p block is. */
     bool
     has_fixed(const unsigned int block) const
     {
       return blocks_with_fixed[block];
     }
 
-    /** Of the bodies' fixed dofs to their targets, 0 for all others. */
+    /**
+     * Increments of the bodies' fixed dofs to their targets [mm], [rad], 0 for
+     * all others.
+     */
     std::vector<double>
     prescribed_increments(const State &state, const Targets &targets) const;
 
@@ -98,7 +112,7 @@ namespace fiberloom
     double
     largest_move(const Eigen::VectorXd &increment) const;
 
-    /** The same by what bodies have to go to reach @p targets . */
+    /** The same by the increment that takes bodies to @p targets . */
     double
     largest_prescribed_move(const State &state, const Targets &targets) const;
 

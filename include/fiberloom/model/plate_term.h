@@ -65,7 +65,9 @@ namespace fiberloom
     std::vector<PlateHistory>
     history(const State &state) const;
 
-    /** By friction. */
+    /**
+     * Energy lost by friction in the increment that ends at @p state [N mm].
+     */
     double
     dissipation(const State &state) const override;
 

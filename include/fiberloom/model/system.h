@@ -51,11 +51,11 @@ namespace fiberloom
     reinit(const std::vector<ContactElement> &contacts);
 
     /**
-     * Residual and tangent at @p state under the loads of @p targets , whose
-     * dead forces on nodes count among what bodies have to balance.
-     * Prescribed dofs of the bodies have
-     * the increment that leads to @p targets , which enters the right hand
-     * side through the tangent. Stores forces in @p contacts .
+     * Assembles residual and tangent at @p state under the loads of @p targets
+     * , whose dead forces on nodes count among what bodies have to balance.
+     * Prescribed dofs of the bodies have the increment that leads to @p targets
+     * , which enters the right hand side through the tangent. Stores forces in
+     * @p contacts .
      */
     void
     assemble(const State                 &state,
@@ -71,15 +71,17 @@ namespace fiberloom
     add_stiffness(const State                       &state,
                   const std::vector<ContactElement> &contacts);
 
-    /** Of fibers, and of contacts whose points follow them, in what is
-     * assembled. */
+    /**
+     * Sets which part of the Hessian is assembled of fibers, and of contacts
+     * whose points follow them.
+     */
     void
     set_curvature(const Curvature of_energy)
     {
       curvature = of_energy;
     }
 
-    /** Lost by terms in the increment that ends at @p state [N mm]. */
+    /** Energy lost by terms in the increment that ends at @p state [N mm]. */
     double
     dissipation(const State &state) const;
 
@@ -90,7 +92,7 @@ namespace fiberloom
       return *plate_term;
     }
 
-    /** Residual alone. */
+    /** Assembles the residual alone. Stores forces in @p contacts . */
     void
     assemble_residual(const State                 &state,
                       const Targets               &targets,
@@ -101,7 +103,10 @@ namespace fiberloom
     energy(const State                       &state,
            const std::vector<ContactElement> &contacts) const;
 
-    /** The part of it that can be regained: without what friction loses. */
+    /**
+     * The part of energy() that can be regained: without what friction loses [N
+     * mm].
+     */
     double
     stored_energy(const State                       &state,
                   const std::vector<ContactElement> &contacts) const;
@@ -125,7 +130,10 @@ namespace fiberloom
     double
     residual_norm() const;
 
-    /** The first node or body whose dofs have it, see BlockLayout. */
+    /**
+     * The block of the first node or body whose dofs have residual_norm(), see
+     * BlockLayout.
+     */
     unsigned int
     most_unbalanced() const;
 
@@ -134,7 +142,10 @@ namespace fiberloom
     double
     force_scale() const;
 
-    /** What each body has to exert on fibers and matrix [N], [N mm]. */
+    /**
+     * What each body has to exert on fibers and matrix: three forces [N] and
+     * three moments about its reference point [N mm].
+     */
     const std::vector<BodyVector> &
     reactions() const
     {
@@ -148,32 +159,45 @@ namespace fiberloom
       return rounding;
     }
 
+    /**
+     * The tangent that was assembled last, see BlockMatrix for its units; that
+     * of restrict_to() where the system is restricted.
+     */
     BlockMatrix &
     matrix()
     {
       return sum.matrix();
     }
 
-    /** Right hand side in the order of the owned dofs. */
+    /**
+     * Right hand side by owned dofs: forces [N] and moments on bodies [N mm].
+     */
     const std::vector<double> &
     right_hand_side() const
     {
       return rhs;
     }
 
-    /** What is out of balance, the owned dofs; zero where they are fixed. */
+    /**
+     * What is out of balance by owned dofs [N], [N mm]; zero where they are
+     * fixed.
+     */
     std::vector<double>
     free_residual() const;
 
     /**
-     * The whole increment from the solution of the linear system (owned part)
-     * on every rank, prescribed increments included.
+     * The increment of all dofs on every rank, prescribed increments included
+     * [mm], [rad], from @p owned_solution of the linear system, which has the
+     * owned dofs.
      */
     Eigen::VectorXd
     gather(const std::vector<double> &owned_solution) const;
 
-    /** The owned increments that move all fibers and free bodies as one rigid
-     * body, from the reference placement. */
+    /**
+     * The owned increments that move all fibers and free bodies as one rigid
+     * body, from the reference placement: six vectors of as many entries as
+     * there are owned dofs.
+     */
     RigidModes
     rigid_modes() const;
 
@@ -210,7 +234,7 @@ namespace fiberloom
                  std::vector<ContactElement> &contacts,
                  const Curvature              curvature);
 
-    /** Of all but contacts, by owned rows. */
+    /** Couplings of all terms but contacts, by owned rows. */
     std::vector<std::vector<unsigned int>>
     fixed_couplings() const;
 

@@ -34,7 +34,7 @@ namespace fiberloom
     void
     continue_columns(const std::vector<Column> &former);
 
-    /** In the order of their appearance. */
+    /** All columns in the order of their appearance. */
     const std::vector<Column> &
     described_columns() const
     {

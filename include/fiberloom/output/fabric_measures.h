@@ -15,7 +15,7 @@
 
 namespace fiberloom
 {
-  /** In the order of the documents. */
+  /** Measures of a fabric with their columns, in the order of the documents. */
   using Measures = std::vector<std::pair<Column, double>>;
 
   /**

@@ -26,6 +26,7 @@ namespace fiberloom
       return static_cast<std::size_t>(n[0]) * n[1] * n[2];
     }
 
+    /** Number of the point @p i among all points, x fastest. */
     std::size_t
     number(const Index &i) const
     {
@@ -33,6 +34,7 @@ namespace fiberloom
                       (i[1] + static_cast<std::size_t>(n[1]) * i[2]);
     }
 
+    /** Position of the point @p i [mm]. */
     Vector3
     point(const Index &i) const
     {

@@ -19,7 +19,7 @@ namespace fiberloom
   class TowShape
   {
   public:
-    /** At a point in or near the tow. */
+    /** What is known at a point in or near the tow. */
     struct Value
     {
       double  outside;   // distance from the body, negative inside [mm]

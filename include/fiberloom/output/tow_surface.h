@@ -20,8 +20,10 @@ namespace fiberloom
                                                         // counter-clockwise
   };
 
-  /** Around values that are negative inside, given at the points of a lattice;
-   * at its border they have to be positive. */
+  /**
+   * The surface around the region in which @p levels are negative, given at the
+   * points of @p lattice ; at its border they have to be positive.
+   */
   TowSurface
   level_surface(const Lattice &lattice, const std::vector<float> &levels);
 
@@ -32,7 +34,7 @@ namespace fiberloom
   std::vector<TowSurface>
   tow_surfaces(const std::vector<TowShape> &shapes, const double spacing);
 
-  /** All as one .vtp, each triangle with its tow. */
+  /** All @p surfaces as one .vtp, each triangle with its tow. */
   std::string
   surfaces_vtp(const std::vector<TowSurface> &surfaces);
 

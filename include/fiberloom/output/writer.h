@@ -135,7 +135,7 @@ namespace fiberloom
     void
     write_report(const std::string &scene);
 
-    /** Spent here so far. */
+    /** Seconds spent on output so far. */
     double
     seconds() const
     {
@@ -175,7 +175,7 @@ namespace fiberloom
     OutputRecord
     output_record(const std::uint64_t log_size);
 
-    /** All but summary.json and the checkpoint. */
+    /** Writes all files but summary.json and the checkpoint. */
     void
     write_files(const IncrementReport &report);
 
@@ -193,11 +193,11 @@ namespace fiberloom
     void
     write_tables(const IncrementReport &report);
 
-    /** A row of fabric.csv, where there is a fabric. */
+    /** Adds a row to fabric.csv, where there is a fabric. */
     void
     measure(const IncrementTable::Place &place, const DofVector &q);
 
-    /** breaks.csv, where fibers can break. */
+    /** Writes breaks.csv, where fibers can break. */
     void
     write_breaks(const FiberHistory &history);
 

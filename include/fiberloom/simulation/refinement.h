@@ -34,17 +34,21 @@ namespace fiberloom
   class Transfer
   {
   public:
-    /** To the mesh @p fine of the fibers, with @p matrix as in the states. By
-     * how much elements of fibers are shorter is taken from the meshes. */
+    /**
+     * Carries states over to the mesh @p fine of the fibers, with @p matrix as
+     * in the states. By how much elements of fibers are shorter is taken from
+     * the meshes.
+     */
     Transfer(const Scene       &scene,
              const MatrixState &matrix,
              const FiberMesh   &fine,
              const Refinement  &refinement);
 
+    /** @p state , carried over to the finer meshes. */
     State
     operator()(State state) const;
 
-    /** The finer one, as long as this lives; null without matrix. */
+    /** The finer composite, as long as this lives; null without matrix. */
     const Composite *
     finer() const
     {
@@ -59,7 +63,10 @@ namespace fiberloom
     DofVector
     fiber_dofs(const DofVector &q) const;
 
-    /** All of what is in the place of a broken element is broken. */
+    /**
+     * @p history on the finer mesh: all elements in the place of a broken one
+     * are broken.
+     */
     FiberHistory
     fiber_history(const FiberHistory &history) const;
 

@@ -44,11 +44,13 @@ namespace fiberloom
     ModelSize
     model_size() const;
 
-    /** With the matrix that the scene asks for. */
+    /** Size of the model with the matrix that the scene asks for. */
     ModelSize
     expected_size() const;
 
-    /** On all ranks together [bytes]. */
+    /**
+     * Memory that the run is expected to need on all ranks together [bytes].
+     */
     double
     expected_memory() const;
 
@@ -95,11 +97,11 @@ namespace fiberloom
     std::vector<std::string>
     compare_with_restarted(const State &state) const;
 
-    /** Opens log and files; what they say of the run so far. */
+    /** Opens log and files, and writes what they say of the run so far. */
     void
     begin_output(OutputWriter &writer, const State &state);
 
-    /** What the restarted run did before, for the writer's statistics. */
+    /** Gives @p writer the statistics of what the restarted run did before. */
     void
     record_stages_before(const State &state, OutputWriter &writer) const;
 
@@ -107,14 +109,18 @@ namespace fiberloom
     StageStatistics
     statistics_so_far(const State &state) const;
 
-    /** From that of @p state on; the exit status. Once stages have been run,
-     * input that the next one does not allow is a StageFailure, and what has
-     * been reached is kept. */
+    /**
+     * Runs the stages from that of @p state on; returns the exit status. Once
+     * stages have been run, input that the next one does not allow is a
+     * StageFailure, and what has been reached is kept.
+     */
     int
     run_stages(State &state, OutputWriter &writer, StopRequest &stop);
 
-    /** With its estimate; @p before_last is the state before the last
-     * increment, once all are done. */
+    /**
+     * Runs one stage and estimates its error; @p before_last is the state
+     * before the last increment, once all are done.
+     */
     void
     run_stage(State           &state,
               OutputWriter    &writer,
@@ -122,7 +128,10 @@ namespace fiberloom
               StageStatistics &statistics,
               State           &before_last);
 
-    /** Checkpoint, summary and a line in the log; the exit status. */
+    /**
+     * Writes checkpoint, summary and a line in the log; returns the exit
+     * status.
+     */
     int
     end_on_request(OutputWriter                &writer,
                    const StopRequest           &stop,
@@ -148,7 +157,10 @@ namespace fiberloom
     std::unique_ptr<Composite>
     make_composite(const std::string &stage, State &state);
 
-    /** Creates each stage, whose checks of the input come with it. */
+    /**
+     * Notes of all stages, each of which is created, as its checks of the input
+     * come with that.
+     */
     std::vector<std::string>
     stage_notes(const State &state) const;
 
@@ -164,7 +176,7 @@ namespace fiberloom
     void
     log_benchmark(const std::vector<StageStatistics> &stages);
 
-    /** Where they are. */
+    /** Writes to the log where the results are. */
     void
     log_results();
 

@@ -20,9 +20,14 @@ namespace fiberloom
     BlockPreconditioner(const MPI_Comm                comm,
                         const DirectFactor::Precision precision);
 
+    /**
+     * Analyses both blocks of @p matrix , see DirectFactor::analyse(). Throws
+     * StageFailure.
+     */
     void
     analyse(const BlockMatrix &matrix);
 
+    /** Forgets earlier matrices, see DirectFactor::forget(). */
     void
     forget();
 

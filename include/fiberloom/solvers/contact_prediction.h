@@ -31,10 +31,12 @@ namespace fiberloom
                       const Problem   &problem,
                       const Kind       kind);
 
-    /** On the way from @p state , where the system was assembled, to @p ahead :
-     * adds to it the stiffness that leads to the forces that contacts are to
-     * have; whether there are such contacts, which store at least this energy
-     * there [N mm]. To be called again with where that leads. */
+    /**
+     * Adds to the system, which was assembled at @p state , the stiffness that
+     * leads to the forces that contacts are to have at @p ahead . Whether there
+     * are such contacts, which store at least @p least_energy there [N mm]. To
+     * be called again with where that leads.
+     */
     bool
     add_stiffness(const State &state,
                   const State &ahead,

@@ -62,27 +62,33 @@ namespace fiberloom
     evaluate(State &state, const Problem &problem);
 
     /**
-     * The same from @p state , which was in balance before its fibers were
-     * broken.
+     * Does what solve() does from @p state , which was in balance before its
+     * fibers were broken.
      */
     bool
     solve_again(State &state, const Problem &problem);
 
     /**
-     * From @p state , whose contacts have been generated, by Newton's method;
-     * zones in which fibers are too deep are stiffened in between.
+     * Moves @p state , whose contacts have been generated, to equilibrium by
+     * Newton's method; zones in which fibers are too deep are stiffened in
+     * between. False, with @p state spoilt, if that fails.
      */
     bool
     solve_by_newton(State &state, const Problem &problem);
 
-    /** As that, with contacts of @p state as it is. */
+    /**
+     * Generates the contacts of @p state as it is, and then does what
+     * solve_by_newton() does.
+     */
     bool
     solve_from(State &state, const Problem &problem);
 
-    /** At most @p n iterations of Newton's method, or all that it takes where
-     * nothing touches; whether they lead to balance. Where contact is
+    /**
+     * Does at most @p n iterations of Newton's method, or all that it takes
+     * where nothing touches; whether they lead to balance. Where contact is
      * @p stiffer than when @p state was found, friction begins with limits by
-     * the forces of then. */
+     * the forces of then.
+     */
     bool
     approach(State             &state,
              const Problem     &problem,
@@ -90,7 +96,7 @@ namespace fiberloom
              const double       stiffer = 1);
 
     /**
-     * @p n iterations, converged or not, before each of which contacts are
+     * Does @p n iterations, converged or not, before each of which contacts are
      * generated anew; the tangent gets a diagonal of @p damping over E r, as
      * frozen normals hide that slender fibers are unstable sideways.
      */
@@ -160,7 +166,10 @@ namespace fiberloom
     bool
     is_nested(const Problem &problem) const;
 
-    /** From contacts that have been generated for the loops that solve it. */
+    /**
+     * Moves @p state to equilibrium, whose contacts have been generated for the
+     * loops that solve it.
+     */
     bool
     solve_from_contacts(State &state, const Problem &problem);
 
@@ -211,7 +220,10 @@ namespace fiberloom
     bool
     extrapolate(State &state, const Problem &problem);
 
-    /** From contacts that have been generated. */
+    /**
+     * Moves @p state to equilibrium by the nested loops; its contacts have been
+     * generated.
+     */
     bool
     solve_nested(State &state, const Problem &problem);
 

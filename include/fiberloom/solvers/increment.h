@@ -69,7 +69,10 @@ namespace fiberloom
     double
     measure(const State &state, const Problem &problem);
 
-    /** The same with contacts anew, the matrix left as it is. */
+    /**
+     * Finds contacts anew at @p state and assembles the residual alone, which
+     * is returned over its scale; the matrix is left as it is.
+     */
     double
     measure_anew(State &state, const Problem &problem);
 
@@ -101,6 +104,7 @@ namespace fiberloom
       return {contacts, system.plates().friction()};
     }
 
+    /** Sets contacts to those that all_contacts() gave. */
     void
     take_back(const Contacts &kept)
     {

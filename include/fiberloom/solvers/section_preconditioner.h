@@ -31,13 +31,15 @@ namespace fiberloom
     void
     analyse(const BlockMatrix &matrix, const Eigen::VectorXd &q);
 
+    /** Forgets earlier matrices, see DirectFactor::forget(). */
     void
     forget();
 
     /**
      * Factorises motions and strains of @p matrix , which is kept by reference.
-     * Returns the number of negative pivots or -1; @p dropped as in
-     * DirectFactor::factorize().
+     * Returns the number of negative pivots of the motions and of sections
+     * whose strains are not definite, or -1 where the factorisation failed;
+     * @p dropped as in DirectFactor::factorize().
      */
     int
     factorize(const BlockMatrix &matrix, const double dropped);

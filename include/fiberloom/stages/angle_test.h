@@ -82,31 +82,39 @@ namespace fiberloom
     unsigned int
     border(const unsigned int body) const;
 
-    /** Along which tows runs what the body holds: a tow, or the matrix on a
-     * border beside them. */
+    /**
+     * The tows along which runs what the body holds: a tow, or the matrix on a
+     * border beside them.
+     */
     Direction
     runs_along(const unsigned int body) const;
 
-    /** Where body number @p body is when the angle has grown to @p angle ; at
-     * the start of the stage all were at @p start . */
+    /**
+     * Placement of body number @p body when the angle has grown to @p angle
+     * [rad]; at the start of the stage all were at @p start .
+     */
     virtual Placement
     move(const std::vector<Placement> &start,
          const unsigned int            body,
          const double                  angle) const = 0;
 
-    /** Where an even deformation by @p angle takes what was at @p start , for a
-     * first guess [mm]; the stage began with bodies at @p begun . */
+    /**
+     * Place to which an even deformation by @p angle takes what was at @p start
+     * , for a first guess [mm]; the stage began with bodies at @p begun .
+     */
     virtual Vector3
     place(const std::vector<Placement> &begun,
           const Vector3                &start,
           const double                  angle) const = 0;
 
-    /** How what runs @p along these tows turns with the angle where it was at
-     * @p start . */
+    /**
+     * Derivative by the angle of the rotation vector of what runs @p along
+     * these tows and was at @p start .
+     */
     virtual Vector3
     spin(const Vector3 &start, const Direction along) const = 0;
 
-    /** At @p load [rad]. */
+    /** The angle at @p load [rad]. */
     double
     angle_at(const double load) const
     {

@@ -61,7 +61,7 @@ namespace fiberloom
     void
     begin(State &state) const override;
 
-    /** To where the plates just touch the fabric. */
+    /** Takes the plates to where they just touch the fabric. */
     void
     unload(State &state) const override;
 
@@ -92,11 +92,11 @@ namespace fiberloom
           const std::vector<BodyVector> &reactions) const override;
 
   private:
-    /** By which a plate presses into the fabric where the stage begins [mm]. */
+    /** How deep a plate presses into the fabric where the stage begins [mm]. */
     double
     first_depth() const;
 
-    /** Between fibers and plates. */
+    /** Coefficient of friction between fibers and plates. */
     double
     plate_friction() const;
 

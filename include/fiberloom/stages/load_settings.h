@@ -23,7 +23,9 @@ namespace fiberloom
     std::string loaded_fibers = "all";
     std::string probes; // points whose positions get columns
 
-    /** That an increment may turn a drive by, so that turns are counted [rad].
+    /**
+     * Angle by which an increment may turn a drive, so that turns are counted
+     * [rad].
      */
     static constexpr double largest_turn = M_PI / 12;
 

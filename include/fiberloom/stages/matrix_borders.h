@@ -57,8 +57,10 @@ namespace fiberloom
           const Grip         grip,
           State             &state);
 
-    /** Mean pull along @p axis , 0 or 1, on the two borders across it, from
-     * body number @p first on [N]. */
+    /**
+     * Mean pull along @p axis , 0 or 1, on the two borders across it [N], whose
+     * bodies begin with number @p first .
+     */
     double
     pull(const unsigned int             first,
          const unsigned int             axis,

@@ -94,12 +94,17 @@ namespace fiberloom
       return {};
     }
 
-    /** What the bodies are to do at @p load ; @p start are their placements at
-     * its start. */
+    /**
+     * Placement and load of each body at @p load ; @p start are the placements
+     * where the stage began.
+     */
     virtual std::vector<BodyTarget>
     targets(const std::vector<Placement> &start, const double load) const = 0;
 
-    /** Dead forces on the nodes at @p load [N]; none if empty. */
+    /**
+     * Dead forces on x0 of the fiber nodes at @p load , one for each [N]; none
+     * if empty.
+     */
     virtual std::vector<Vector3>
     node_forces(const double /*load*/) const
     {
@@ -232,7 +237,7 @@ namespace fiberloom
   std::unique_ptr<Stage>
   create_stage(const std::string &name, const Scene &scene);
 
-  /** For StageType::create. */
+  /** Creates a stage of this type, for StageType::create. */
   template <class Type>
   std::unique_ptr<Stage>
   make(const Scene &scene)

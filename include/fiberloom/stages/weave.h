@@ -63,13 +63,16 @@ namespace fiberloom
     double
     first_step(const State &state) const override;
 
-    /** While tows still overlap: a typical force at a crossing. */
+    /**
+     * A typical force at a crossing while tows still overlap [N], see
+     * Stage::least_force_scale().
+     */
     double
     least_force_scale(const double load) const override;
 
     /**
-     * Without friction, a few iterations for each overlap and all of contact
-     * regenerated in each, then straight to the standard normals.
+     * Weaves without friction: a few iterations for each overlap, with all of
+     * contact regenerated in each, then straight to the standard normals.
      */
     bool
     take_fast_path(State       &state,
@@ -79,7 +82,7 @@ namespace fiberloom
     bool
     starts_coarsely() const override;
 
-    /** To the minimum of the energy without friction, then with it. */
+    /** Finds the minimum of the energy without friction, then with it. */
     bool
     settle(State       &state,
            const State &before,
