@@ -240,7 +240,7 @@ namespace fiberloom
   inline const Choices<WeavingPath> choices<WeavingPath> =
     {{WeavingPath::automatic, "automatic"}, {WeavingPath::nested, "nested"}};
 
-  /** Along tows of a fabric. */
+  /** The tows of a fabric along which something runs. */
   enum class Direction
   {
     warp,

@@ -211,13 +211,17 @@ namespace fiberloom
       return stage_settings.describe_matrix();
     }
 
-    /** Woven roughly, by coarse fibers that are not in balance at the end. */
+    /**
+     * Whether a fabric is woven roughly, by coarse fibers that are not in
+     * balance at the end.
+     */
     bool
     is_preview() const
     {
       return accuracy.is_preview();
     }
 
+    /** Whether the fibers are those of a fabric, not of section Fibers. */
     bool
     is_fabric() const
     {

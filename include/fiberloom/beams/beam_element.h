@@ -124,8 +124,9 @@ namespace fiberloom
       std::array<double, 3>    shape, derivative;
     };
 
-    /** Section strains interpolated from the nodes, the others from @p vectors
-     * . */
+    /**
+     * Section strains interpolated from the nodes, the others from @p vectors .
+     */
     void
     strains(const std::array<Vector3, 5> &vectors,
             const Matrix3                &section_strain,

@@ -174,7 +174,9 @@ namespace fiberloom
     double
     largest_section_change(const DofVector &q) const;
 
-    /** Null where there is no cell. */
+    /**
+     * The fibers of a cell as contact sees them; null where there is no cell.
+     */
     const FiberImages *
     images() const;
 
@@ -183,8 +185,8 @@ namespace fiberloom
     with_images() const;
 
     /**
-     * The dofs of the mesh that contact sees, where those of this mesh are @p q
-     * .
+     * The dofs of the mesh that contact sees, where those of this mesh are
+     * @p q .
      */
     DofVector
     with_images(const DofVector &q) const;

@@ -23,6 +23,9 @@ namespace fiberloom
     double s, t, distance;
   };
 
+  /**
+   * Where the segments from @p a0 to @p a1 and from @p b0 to @p b1 are closest.
+   */
   SegmentDistance
   segment_distance(const Vector3 &a0,
                    const Vector3 &a1,

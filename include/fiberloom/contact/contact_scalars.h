@@ -80,10 +80,14 @@ namespace fiberloom
     Matrix6 hessian;
   };
 
-  /** @p sign as Configuration::sign(). */
+  /**
+   * Gap that follows from @p scalars [mm]; @p sign as Configuration::sign(),
+   * @p offset as in ContactElement.
+   */
   double
   gap_of(const Vector6 &scalars, const double sign, const double offset);
 
+  /** The same with its derivatives by the scalars. */
   Gap
   gap_with_derivatives(const Vector6 &scalars,
                        const double   sign,
@@ -105,8 +109,8 @@ namespace fiberloom
   };
 
   /**
-   * Derivatives of the scalars by d, then r g1 and r g2 of the first, then of
-   * the second fiber.
+   * Derivatives of the six scalars, one a row, by d, then r g1 and r g2 of the
+   * first, then of the second fiber: 6 x 15.
    */
   Eigen::Matrix<double, 6, 15>
   jacobian_of(const Configuration &c);

@@ -37,8 +37,10 @@ namespace fiberloom
       of_one_too // with themselves
     };
 
-    /** @p margin and @p skin in mm; @p images says which pairs count where @p
-     * mesh are the images of a cell's fibers. */
+    /**
+     * @p margin and @p skin in mm; @p images says which pairs count where
+     * @p mesh are the images of a cell's fibers.
+     */
     ProximitySearch(const FiberMesh   &mesh,
                     const double       margin,
                     const double       skin,

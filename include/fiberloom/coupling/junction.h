@@ -128,7 +128,7 @@ namespace fiberloom
                       const double poisson_ratio,
                       const double distance_over_radius);
 
-  /** What find_junctions() finds. */
+  /** Junctions as find_junctions() finds them, and particles without one. */
   struct FoundJunctions
   {
     std::vector<Junction> junctions;

@@ -50,8 +50,8 @@ namespace fiberloom
                   Assembly                          &sum) const;
 
     /**
-     * This rank's part of the energy of those @p contacts that @p sum takes [N
-     * mm].
+     * This rank's part of the energy of those @p contacts that @p sum takes
+     * [N mm].
      */
     double
     energy(const State                       &state,

@@ -117,9 +117,9 @@ namespace fiberloom
     }
 
     /**
-     * Transforms what was set, by the dofs of all nodes, to the unknowns. @p q
-     * : the dofs of all nodes, see State; @p placements : where the bodies are.
-     * With Parts::forces the stiffness stays as it was set.
+     * Transforms what was set, by the dofs of all nodes, to the unknowns.
+     * @p q : the dofs of all nodes, see State; @p placements : where the bodies
+     * are. With Parts::forces the stiffness stays as it was set.
      */
     void
     transform(const DofVector              &q,

@@ -51,11 +51,11 @@ namespace fiberloom
     reinit(const std::vector<ContactElement> &contacts);
 
     /**
-     * Assembles residual and tangent at @p state under the loads of @p targets
-     * , whose dead forces on nodes count among what bodies have to balance.
-     * Prescribed dofs of the bodies have the increment that leads to @p targets
-     * , which enters the right hand side through the tangent. Stores forces in
-     * @p contacts .
+     * Assembles residual and tangent at @p state under the loads of
+     * @p targets , whose dead forces on nodes count among what bodies have to
+     * balance. Prescribed dofs of the bodies have the increment that leads to
+     * @p targets , which enters the right hand side through the tangent. Stores
+     * forces in @p contacts .
      */
     void
     assemble(const State                 &state,
@@ -104,8 +104,8 @@ namespace fiberloom
            const std::vector<ContactElement> &contacts) const;
 
     /**
-     * The part of energy() that can be regained: without what friction loses [N
-     * mm].
+     * The part of energy() that can be regained: without what friction loses
+     * [N mm].
      */
     double
     stored_energy(const State                       &state,
@@ -188,7 +188,7 @@ namespace fiberloom
     /**
      * The increment of all dofs on every rank, prescribed increments included
      * [mm], [rad], from @p owned_solution of the linear system, which has the
-     * owned dofs.
+     * owned dofs. Collective.
      */
     Eigen::VectorXd
     gather(const std::vector<double> &owned_solution) const;

@@ -32,8 +32,8 @@ namespace fiberloom
     visit_couplings(const CouplingVisitor &couple) const = 0;
 
     /**
-     * Adds gradient and, if @p sum asks for it, Hessian of the term at @p state
-     * , as far as they touch owned blocks.
+     * Adds gradient and, if @p sum asks for it, Hessian of the term at
+     * @p state , as far as they touch owned blocks.
      */
     virtual void
     add(const State &state, Assembly &sum) const = 0;

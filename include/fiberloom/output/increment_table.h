@@ -43,8 +43,8 @@ namespace fiberloom
     using Cells = std::vector<std::pair<std::string, std::string>>;
 
     /**
-     * @p file names the table in errors. With several rows an increment, @p
-     * key_column is the heading of what tells them apart.
+     * @p file names the table in errors. With several rows an increment,
+     * @p key_column is the heading of what tells them apart.
      */
     explicit IncrementTable(const std::string &file,
                             const std::string &key_column = "");

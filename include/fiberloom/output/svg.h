@@ -54,7 +54,7 @@ namespace fiberloom
          const double       size,
          const Anchor       anchor = Anchor::start);
 
-    /** Read from below. */
+    /** Text that is read from below. */
     void
     upright_text(const Point       &position,
                  const std::string &content,
@@ -66,7 +66,7 @@ namespace fiberloom
     str() const;
 
   private:
-    /** Without the end of its tag. */
+    /** Writes the tag that begins a text, without its end. */
     void
     begin_text(const Point &position, const double size, const Anchor anchor);
 

@@ -150,8 +150,10 @@ namespace fiberloom
     }
 
   private:
-    /** Writes summary.json; the run has converged if no stage is left at @p
-     * state . */
+    /**
+     * Writes summary.json; the run has converged if no stage is left at
+     * @p state .
+     */
     void
     write_summary_at(const State &state);
 

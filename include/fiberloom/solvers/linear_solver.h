@@ -73,8 +73,8 @@ namespace fiberloom
     /**
      * The system matrix * x = right_hand_side, whose residual is reduced to
      * @p tolerance times the right hand side. Owned parts of vectors have
-     * BlockLayout::n_owned_dofs() entries: forces [N] and moments on bodies [N
-     * mm] on the right, increments [mm], [rad] in the solution.
+     * BlockLayout::n_owned_dofs() entries: forces [N] and moments on bodies
+     * [N mm] on the right, increments [mm], [rad] in the solution.
      */
     struct Equations
     {
@@ -84,9 +84,9 @@ namespace fiberloom
     };
 
     /**
-     * What the diagonal of the matrix gets in any case ( @p damping ), and at
-     * least in the first shift where the matrix is indefinite ( @p shift_unit
-     * ), both in [N/mm].
+     * What the diagonal of the matrix gets [N/mm]: @p damping in any case, and
+     * @p shift_unit more in the first attempt to shift an indefinite
+     * matrix.
      */
     struct Diagonal
     {
@@ -218,8 +218,8 @@ namespace fiberloom
   };
 
   /**
-   * Adds iterations, factorisations and seconds of @p outcome to @p statistics
-   * .
+   * Adds what @p outcome took to @p statistics : iterations, factorisations and
+   * seconds.
    */
   void
   add(StageStatistics &statistics, const LinearSolver::Outcome &outcome);

@@ -46,9 +46,9 @@ namespace fiberloom
     using Watch = std::function<void(const Progress &)>;
 
     /**
-     * References are kept. @p largest_move : how far any node may go in one
-     * step, over its fiber's radius; 0: unlimited. @p watch is called before
-     * each iteration and may throw.
+     * References are kept. @p largest_move : how far fibers may go in one step,
+     * over their radius; 0: unlimited. @p watch is called before each iteration
+     * and may throw.
      */
     Newton(Increment    &increment,
            LinearSolver &linear_solver,

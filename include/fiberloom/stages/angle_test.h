@@ -99,8 +99,9 @@ namespace fiberloom
          const double                  angle) const = 0;
 
     /**
-     * Place to which an even deformation by @p angle takes what was at @p start
-     * , for a first guess [mm]; the stage began with bodies at @p begun .
+     * Place to which an even deformation by @p angle takes what was at
+     * @p start , for a first guess [mm]; the stage began with bodies at
+     * @p begun .
      */
     virtual Vector3
     place(const std::vector<Placement> &begun,

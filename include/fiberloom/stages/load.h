@@ -54,9 +54,9 @@ namespace fiberloom
     begin(State &state) const override;
 
     /**
-     * Of each drive at @p load : its placement at the start, moved by the
-     * translation [mm] and turned by the rotation vector [rad] at t, and the
-     * force [N] and moment [N mm] on its free dofs. Throws StageFailure where a
+     * Targets of the drives at @p load : the placement at the start, moved by
+     * the translation [mm] and turned by the rotation vector [rad] at t, and
+     * the force [N] and moment [N mm] on free dofs. Throws StageFailure where a
      * function is not finite.
      */
     std::vector<BodyTarget>
@@ -157,8 +157,8 @@ namespace fiberloom
     distribute_loads();
 
     /**
-     * @p function at @p t ; throws StageFailure, with the name of its @p entry
-     * , where it is not finite.
+     * @p function at @p t ; throws StageFailure, with the name of its
+     * @p entry , where it is not finite.
      */
     Vector3
     finite_value(const VectorFunction &function,

@@ -233,7 +233,7 @@ namespace fiberloom
     const Scene scene;
   };
 
-  /** Throws InputError for an unknown name. */
+  /** The stage of the type @p name . Throws InputError where there is none. */
   std::unique_ptr<Stage>
   create_stage(const std::string &name, const Scene &scene);
 

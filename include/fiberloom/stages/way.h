@@ -19,8 +19,10 @@ namespace fiberloom
   class Way
   {
   public:
-    /** Entry Way of the section of a test: turning points as parts of @p whole
-     * , such as "the largest strain", from @p lowest to 1. */
+    /**
+     * Entry Way of the section of a test: turning points as parts of @p whole ,
+     * such as "the largest strain", from @p lowest to 1.
+     */
     static void
     declare(ParameterCatalogue  &catalogue,
             std::vector<double> &turning_points,
