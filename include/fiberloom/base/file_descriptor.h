@@ -28,8 +28,8 @@ namespace fiberloom
     operator=(const FileDescriptor &) = delete;
 
     /**
-     * A new file, which nobody else can have made, in place of what had the
-     * name before: a link, a pipe or what a killed run has left.
+     * Creates a new file, which nobody else can have made, in place of what had
+     * the name before: a link, a pipe or what a killed run has left.
      */
     static FileDescriptor
     create(const std::string &file);
@@ -55,7 +55,7 @@ namespace fiberloom
     void
     synchronise();
 
-    /** Throws what a disk reports late. */
+    /** Closes the file; throws what a disk reports late. */
     void
     close();
 

@@ -25,6 +25,7 @@ namespace fiberloom
                     const unsigned int n_functions,
                     const std::string &variables);
 
+    /** Value of function number @p function at @p point . */
     double
     value(const dealii::Point<n_variables> &point,
           const unsigned int                function) const

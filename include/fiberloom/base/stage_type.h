@@ -201,6 +201,10 @@ namespace fiberloom
     const StageSettings *
     find(const std::string &type) const;
 
+    /**
+     * Declares the entries of all settings. The functions below do for all what
+     * those of StageSettings do for one.
+     */
     void
     declare(ParameterCatalogue &catalogue);
 

@@ -19,6 +19,7 @@ namespace fiberloom
     /** Throws InputError with what the parser says. */
     explicit VectorFunction(const std::string &text);
 
+    /** The three components at @p t , which need not be finite. */
     Vector3
     value(const double t) const;
 

@@ -89,8 +89,10 @@ namespace fiberloom
 
     /**
      * Strain of the most strained line along the fiber in its sections, to
-     * first order in the curvature: the strain of the centre line plus, on the
-     * outermost line, that of bending. The larger one of the two Gauss points.
+     * first order in the curvature: sqrt(1 + 2 e) - 1 with e = e33 + r
+     * sqrt(e34^2 + e35^2), the strain of the centre line and, on the outermost
+     * line, of bending. The larger one of the two Gauss points. Section 1.8 of
+     * the theory.
      */
     double
     largest_strain(const Vector &q) const;

@@ -28,7 +28,7 @@ namespace fiberloom
    * distribution function of wide applicability", J. Appl. Mech. 18, 1951). A
    * whole fiber under even strain then follows the same law with its length.
    * What an element draws depends on seed, fiber and its number in the fiber
-   * alone.
+   * alone. Section 1.8 of the theory.
    */
   class Breakage
   {

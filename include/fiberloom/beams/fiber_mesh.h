@@ -20,7 +20,10 @@
 
 namespace fiberloom
 {
-  /** Centre line and section of a fiber at one abscissa, from its dofs. */
+  /**
+   * Centre line and section of a fiber at one abscissa, from its dofs; equation
+   * [2] of the paper.
+   */
   struct Section
   {
     Vector3 center;

@@ -23,9 +23,10 @@ namespace fiberloom
    * E33 = e33 + z1 e34 + z2 e35 + z1^2 e44 + z1 z2 e45 + z2^2 e55.
    *
    * Against Poisson locking (too stiff in bending by (1-nu)/((1+nu)(1-2nu)))
-   * the section average of the strain sees the three-dimensional law D and
-   * the rest sees D* = diag(E, E, E, G, G, G); this is the closed form of
+   * the section average of the strain sees the three-dimensional law D and the
+   * rest sees D* = diag(E, E, E, G, G, G); this is the closed form of
    * condensing enhanced section strains that are linear over the section.
+   * Sections 1.3 to 1.5 of the theory.
    */
   struct SectionStiffness
   {

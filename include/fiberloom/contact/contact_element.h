@@ -15,8 +15,8 @@ namespace fiberloom
   /**
    * A pair of material particles on the surfaces of two fibers that are
    * predicted to touch, section 3.3 of the paper, with the law that acts
-   * between them. Generated anew at each detection; what must outlive that
-   * is in ContactState.
+   * between them. Generated anew at each detection; what must outlive that is
+   * in ContactState. Equation [4] of the paper.
    */
   struct ContactElement
   {

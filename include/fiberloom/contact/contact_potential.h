@@ -17,8 +17,8 @@ namespace fiberloom
    * Gradient and Hessian of a contact's energy by the nodes, where points
    * follow the fibers. By the two sections x (see SectionPair) and those along
    * the fibers x', the Hessian is H + l y^T + y l^T with y the slide of the
-   * points and l the forces times the sections' slopes; node a has the part
-   * N_a x and N_a' x'.
+   * points and l the forces times the sections' slopes; node a has the part N_a
+   * x and N_a' x'. Section 4.4 of the theory.
    */
   struct ContactPotential
   {

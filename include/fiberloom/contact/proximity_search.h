@@ -47,8 +47,7 @@ namespace fiberloom
                     const Pairs        pairs,
                     const FiberImages *images = nullptr);
 
-    /** False where no two pieces could ever be a pair: then nothing is
-     * searched. */
+    /** Whether two pieces could ever be a pair; else nothing is searched. */
     bool
     is_needed() const
     {
@@ -56,19 +55,22 @@ namespace fiberloom
     }
 
     /**
-     * Candidates at placement @p q : all pairs closer than the margin, and
-     * some that are not; sorted. Pieces of one fiber count, if they do at all,
-     * when they are further apart along it than its circumference.
+     * Candidates where the dofs of the fibers are @p q : all pairs closer than
+     * the margin, and some that are not; sorted. Pieces of one fiber count, if
+     * they do at all, when they are further apart along it than its
+     * circumference.
      */
     const std::vector<CandidatePair> &
     candidates(const DofVector &q);
 
-    /** Pieces whose boxes overlap at some time while all nodes go straight from
-     * @p before to @p after . */
+    /**
+     * Pairs of pieces whose boxes overlap at some time while all nodes go
+     * straight from @p before to @p after .
+     */
     std::vector<CandidatePair>
     meeting(const DofVector &before, const DofVector &after) const;
 
-    /** Trees that were built and asked so far. */
+    /** Number of trees that were built and asked so far. */
     unsigned int
     n_searches() const
     {

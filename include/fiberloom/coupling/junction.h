@@ -42,7 +42,7 @@ namespace fiberloom
   /**
    * A junction with what it needs of the meshes. Both particles follow their
    * nodes linearly: x_f = sum N_a (x0_a + z1/r r g1_a + z2/r r g2_a), x_m = sum
-   * M_b x_b.
+   * M_b x_b. Section 6.3 of the theory.
    */
   class JunctionElement
   {

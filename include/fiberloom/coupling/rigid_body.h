@@ -65,6 +65,7 @@ namespace fiberloom
    *
    * If @p carried is set, the body is that of a PeriodicCell, and what it does
    * to the node is to move its centre by this matrix times the elongations.
+   * Section 3.1 of the theory.
    */
   struct Attachment
   {
@@ -115,7 +116,7 @@ namespace fiberloom
    *   F P_x = (P_x + a, c P_x / 2 L, 0),  F P_y = (c P_y / 2 L, P_y + b, 0)
    * with L^2 = P_x P_y, so that c / L is the shear strain and F symmetric: the
    * cell does not turn. Forces on it are mean stresses times a width of the
-   * cell; it does not rotate.
+   * cell; it does not rotate. Section 3.2 of the theory.
    */
   struct PeriodicCell
   {
@@ -149,7 +150,8 @@ namespace fiberloom
   /**
    * Two rigid horizontal plates that fibers touch. One of the bodies stands for
    * them, (distance, 0, height of the middle) [mm] being its position; the
-   * force on the distance is less the mean of what presses on both.
+   * force on the distance is less the mean of what presses on both. Section 3.3
+   * of the theory.
    */
   struct Plates
   {

@@ -30,9 +30,9 @@ namespace fiberloom
   };
 
   /**
-   * Three functions of s and i with semicolons between, for the value @p i .
-   * The derivative is that of the quartic through five points 1e-4 apart, all
-   * of them in [0, 1]. Throws InputError for what cannot be parsed.
+   * The curve of three functions of s and i with semicolons between, for the
+   * value @p i . The derivative is that of the quartic through five points 1e-4
+   * apart, all of them in [0, 1]. Throws InputError for what cannot be parsed.
    */
   Curve
   parsed_curve(const std::string &functions, const unsigned int i);
@@ -46,8 +46,9 @@ namespace fiberloom
   smooth_curve(const Polyline &points);
 
   /**
-   * Throws InputError where @p curve is not finite, stands still, has no
-   * length or turns by a right angle or more from one node to the next.
+   * Divides @p curve by @p n_nodes nodes at equal distances. Throws InputError
+   * where it is not finite, stands still, has no length or turns by a right
+   * angle or more from one node to the next.
    */
   CenterLine
   divide(const Curve &curve, const unsigned int n_nodes);

@@ -9,7 +9,9 @@
 
 namespace fiberloom
 {
-  /** What fibers or matrices have, widely, and units that may be meant. */
+  /**
+   * Values that fibers or matrices have, widely, and units that may be meant.
+   */
   struct UsualRange
   {
     struct Unit
@@ -24,7 +26,10 @@ namespace fiberloom
     std::vector<Unit> others;
   };
 
-  /** Also of 0, which stands for an automatic value. */
+  /**
+   * Whether @p value is in @p range ; also true of 0, which stands for an
+   * automatic value.
+   */
   bool
   is_usual(const double value, const UsualRange &range);
 

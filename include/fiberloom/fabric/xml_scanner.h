@@ -33,6 +33,10 @@ namespace fiberloom
       : content(content)
     {}
 
+    /**
+     * Reads the next piece. Throws InputError where the content cannot be read
+     * as XML.
+     */
     Piece
     next();
 

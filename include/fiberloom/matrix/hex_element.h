@@ -14,8 +14,9 @@ namespace fiberloom
    * A hexahedron of the matrix in a total Lagrangian formulation: with the
    * gradients of the shape functions in the stress-free placement, which are
    * given, F = sum_a x_a (x) dN_a/dX; energy = int W(F) dV, residual r_a = int
-   * F S dN_a/dX dV, tangent = int B^T D B + dN_a/dX . S dN_b/dX 1 dV.
-   * Node positions come one after the other, three components each.
+   * F S dN_a/dX dV, tangent = int B^T D B + dN_a/dX . S dN_b/dX 1 dV. Node
+   * positions come one after the other, three components each. Section 6.2 of
+   * the theory.
    */
   class HexElement
   {

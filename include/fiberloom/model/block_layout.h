@@ -23,7 +23,7 @@ namespace fiberloom
    * rigid body; fiber nodes first, bodies last. So the dofs of nodes are
    * numbered as those of a State are. Nodes are dealt to the ranks in equal
    * numbers along a space-filling curve through the initial placement, bodies
-   * in turn.
+   * in turn. Section 7 of the theory.
    */
   class BlockLayout
   {

@@ -55,7 +55,7 @@ namespace fiberloom
    * of which are held by rigid bodies, transformed to the unknowns of System.
    * Each of the vectors x0, r g1, r g2 of a held node moves by
    *
-   * dq = R F dq_local + dc + dtheta x (q - c),
+   *   dq = R F dq_local + dc + dtheta x (q - c),
    *
    * the section vectors without dc and c, where R is the rotation of the body
    * and F the frame of the attachment; so the forces become T^T f and the

@@ -32,7 +32,7 @@ namespace fiberloom
     }
   };
 
-  /** Where the plane cuts the skin of one fiber: a closed line [mm]. */
+  /** The closed line in which the plane cuts the skin of one fiber [mm]. */
   struct SliceOutline
   {
     unsigned int                       fiber;

@@ -21,6 +21,7 @@ namespace fiberloom
                                        // the tow, else 0
     std::vector<double> tow_volumes;   // of the fibers of each tow [mm^3]
 
+    /** Volume of a voxel [mm^3]. */
     double
     cube() const
     {

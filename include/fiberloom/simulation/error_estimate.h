@@ -16,7 +16,7 @@
 
 namespace fiberloom
 {
-  /** Which led from one state in balance to another. */
+  /** An increment that led from one state in balance to another. */
   struct LastIncrement
   {
     const std::string &stage;
@@ -24,12 +24,13 @@ namespace fiberloom
   };
 
   /**
-   * How far the loading curve of a stage is from the converged one at the
-   * end of its last increment @p last . From the state found, a few iterations
-   * are done with elements half as long, with twice the stations, with stiffer
+   * How far the loading curve of a stage is from the converged one at the end
+   * of its last increment @p last . From the state found, a few iterations are
+   * done with elements half as long, with twice the stations, with stiffer
    * contact, or with cells of the matrix half as large; what changes in the
    * curve is taken on to the limit. NaN where that is not to be had. @p ask is
-   * called before each iteration and may throw. Collective.
+   * called before each iteration and may throw. Collective. Section 4.6 of the
+   * theory.
    */
   ErrorEstimate
   estimate_error(const Scene                 &scene,
@@ -37,7 +38,7 @@ namespace fiberloom
                  const MPI_Comm               comm,
                  const std::function<void()> &ask);
 
-  /** What is to be told of an estimate: lines of a log. */
+  /** Lines of a log that tell of an estimate. */
   std::vector<std::string>
   described(const ErrorEstimate &error);
 } // namespace fiberloom

@@ -26,7 +26,7 @@ namespace fiberloom
    * what holds it; each of three unit loads then has an answer by the exact
    * tangent, and the inverse of these is the stiffness condensed onto the cell.
    * Collective. Adds to @p statistics . Throws StageFailure where the tangent
-   * is singular.
+   * is singular. Section 5.7 of the theory.
    */
   std::vector<double>
   membrane_stiffness(const Scene     &scene,

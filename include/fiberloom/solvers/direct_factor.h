@@ -14,11 +14,11 @@ namespace fiberloom
 
   /**
    * A distributed symmetric factorisation, of the symmetric part of a matrix,
-   * by MUMPS, called directly because no
-   * interface of deal.II or Trilinos passes on symmetry, ordering or
-   * precision. The fill-reducing ordering is METIS's on the graph of blocks,
-   * expanded to dofs. LDL^T without pivoting tells the number of negative
-   * pivots, so an indefinite matrix is seen.
+   * by MUMPS, called directly because no interface of deal.II or Trilinos
+   * passes on symmetry, ordering or precision. The fill-reducing ordering is
+   * METIS's on the graph of blocks, expanded to dofs. LDL^T without pivoting
+   * tells the number of negative pivots, so an indefinite matrix is seen.
+   * Section 8 of the theory.
    */
   class DirectFactor
   {
@@ -57,15 +57,17 @@ namespace fiberloom
     ~DirectFactor();
 
     /**
-     * Analyses the couplings of @p matrix if there are others; throws
-     * StageFailure. The ordering is kept for as long as the factor costs
-     * little more than with the one that was new.
+     * Analyses the couplings of @p matrix if there are others than before. The
+     * ordering is kept for as long as the factor costs little more than with
+     * the one that was new. Throws StageFailure.
      */
     void
     analyse(const BlockMatrix &matrix);
 
-    /** The next matrix is analysed as if it were the first: what follows does
-     * not depend on earlier ones. */
+    /**
+     * Lets the next matrix be analysed as if it were the first: what follows
+     * does not depend on earlier ones.
+     */
     void
     forget();
 
@@ -78,7 +80,10 @@ namespace fiberloom
     int
     factorize(const BlockMatrix &matrix, const double dropped = 0);
 
-    /** Solves for the owned parts in place. */
+    /**
+     * Solves for @p owned_values , the owned part of a vector in @p layout , in
+     * place: forces [N] before, increments [mm] after. Collective.
+     */
     void
     solve(const BlockLayout &layout, double *owned_values);
 

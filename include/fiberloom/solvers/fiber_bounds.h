@@ -14,7 +14,8 @@ namespace fiberloom
    * A trust region that bounds each fiber by itself, so that a few loose ones
    * do not hold back all the others. Each bound has a multiplier, which is
    * added to the diagonal of its fiber: Levenberg's method fiber by fiber.
-   * Multipliers are kept from one iteration to the next.
+   * Multipliers are kept from one iteration to the next. Section 4.4 of the
+   * theory.
    */
   class FiberBounds
   {

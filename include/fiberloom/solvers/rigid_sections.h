@@ -16,7 +16,8 @@ namespace fiberloom
    * section and three strains in its plane. Strains are stiff and hardly couple
    * one section to the next, so a system of the motions alone, with two thirds
    * of the dofs, holds nearly all that makes systems of fibers hard to solve.
-   * Nodes held by a body keep their dofs, as do bodies and the matrix.
+   * Nodes held by a body keep their dofs, as do bodies and the matrix. Section
+   * 8 of the theory.
    */
   class RigidSections
   {
@@ -27,7 +28,10 @@ namespace fiberloom
 
     explicit RigidSections(const System &system);
 
-    /** Sections are where @p q , nine components a fiber node, has them. */
+    /**
+     * Makes the bases those of sections that are where @p q has them, nine
+     * components a fiber node.
+     */
     void
     follow(const Eigen::VectorXd &q);
 
@@ -63,8 +67,11 @@ namespace fiberloom
       return strain_basis[block];
     }
 
-    /** The part of the block ( @p row , @p column ) that is of motions, row by
-     * row; valid until the next call. */
+    /**
+     * The part of the block ( @p row , @p column ) that is of motions, row by
+     * row; @p values is the whole block, stored in the same way. Valid until
+     * the next call.
+     */
     const double *
     reduce(const unsigned int row,
            const unsigned int column,

@@ -27,7 +27,10 @@ namespace fiberloom
     SectionPreconditioner(const System                 &system,
                           const DirectFactor::Precision precision);
 
-    /** Sections are where @p q , nine components a fiber node, has them. */
+    /**
+     * Analyses @p matrix , see DirectFactor::analyse(), for sections that are
+     * where @p q has them, nine components a fiber node. Throws StageFailure.
+     */
     void
     analyse(const BlockMatrix &matrix, const Eigen::VectorXd &q);
 

@@ -71,7 +71,7 @@ namespace fiberloom
     void
     hold_without_matrix(std::vector<RigidBody> &bodies) const;
 
-    /** Middle of the tow ends on the border at side 0 or 1. */
+    /** Middle of the tow ends on the border at side 0 or 1 [mm]. */
     Vector3
     border_center(const std::vector<Placement> &placements,
                   const unsigned int            side) const;

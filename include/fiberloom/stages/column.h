@@ -30,11 +30,11 @@ namespace fiberloom
     energy           // [N.mm]
   };
 
-  /** "force", as in headings. */
+  /** Name of @p quantity as in headings, such as "force". */
   std::string
   name_of(const Quantity quantity);
 
-  /** "N", empty where values have none. */
+  /** Unit of @p quantity , such as "N"; empty where values have none. */
   std::string
   unit_of(const Quantity quantity);
 
@@ -55,7 +55,7 @@ namespace fiberloom
     Role        role     = Role::detail;
     Tow::Family family   = Tow::Family::none; // that it is about
 
-    /** "force_warp[N]" */
+    /** Name and unit, such as "force_warp[N]". */
     std::string
     heading() const;
   };

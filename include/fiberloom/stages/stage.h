@@ -195,7 +195,10 @@ namespace fiberloom
       return true;
     }
 
-    /** The stage's columns of the loading curve. */
+    /**
+     * The stage's columns of the loading curve at @p state , where bodies exert
+     * @p reactions on the sample [N], [N mm].
+     */
     virtual CurveRow
     curve(const State                   &state,
           const std::vector<BodyVector> &reactions) const = 0;

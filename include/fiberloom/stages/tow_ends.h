@@ -18,14 +18,14 @@ namespace fiberloom
    */
   namespace TowEnds
   {
-    /** Body of the start (side 0) or end (side 1) of a tow. */
+    /** Number of the body of the start (side 0) or end (side 1) of @p tow . */
     inline unsigned int
     body(const unsigned int tow, const unsigned int side)
     {
       return 2 * tow + side;
     }
 
-    /** Axis of a tow before weaving. */
+    /** Unit vector along a tow before weaving. */
     Vector3
     axis(const Tow &tow);
 
@@ -41,7 +41,10 @@ namespace fiberloom
              const std::bitset<2>      free,
              const MatrixBorders::Grip grip = MatrixBorders::Grip::across);
 
-    /** Placements at the mean of the held centres, where @p state has none. */
+    /**
+     * Places bodies at the mean of the centres that they hold, where @p state
+     * has no placements.
+     */
     void
     place(const Scene &scene, const MatrixBorders::Grip grip, State &state);
 

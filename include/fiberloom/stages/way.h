@@ -48,8 +48,10 @@ namespace fiberloom
       return whole_length;
     }
 
-    /** The end of the leg on which the way goes on from @p load : the load of
-     * a turning point, 1 at last. */
+    /**
+     * End of the leg on which the way goes on from @p load : the load of a
+     * turning point, 1 at last.
+     */
     double
     next_turn(const double load) const;
 
