@@ -71,7 +71,10 @@ namespace fiberloom
     std::vector<Vector3>
     node_forces(const double load) const override;
 
-    /** The first step of t that the scene asks for, over the end of t. */
+    /**
+     * The first step of t that the scene asks for, at most the largest one,
+     * over the end of t.
+     */
     double
     first_step(const State &state) const override;
 
