@@ -106,6 +106,10 @@ check_files()
      {warp + "set Tows = four" + ends, {"line 3", "Warp/Tows = four", "whole"}},
      {warp + "set Tows = 1000\nset Fibers per tow = 10000" + ends,
       {"line 3: Fabric/Warp/Tows", "nodes", "at most 2000000"}},
+     {"subsection Fabric\nset Periodic = true\nset Plies = 100\nsubsection Warp\n"
+       "set Fibers per tow = 100" +
+        ends,
+      {"Fabric/Fill/Tows", "Plies", "nodes", "at most 2000000"}},
      {fill + "set Overhang = 1e9" + ends,
       {"line 3: Fabric/Fill/Overhang", "10000 elements"}},
      {matrix + "set Cells along x = 1000\nset Cells along y = 1000\nend\n",

@@ -171,5 +171,4 @@ namespace fiberloom
     out << "  </Collection>\n</VTKFile>\n";
     return out.str();
   }
-
 } // namespace fiberloom

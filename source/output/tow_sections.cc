@@ -195,5 +195,4 @@ namespace fiberloom
       }
     return sections;
   }
-
 } // namespace fiberloom

@@ -135,20 +135,21 @@ namespace fiberloom
       {
         if (start_on_coarser_meshes(state) && keep)
           keep(state);
+        const StageStatistics counted = statistics;
         // Interrupted here, the stage has to begin anew: keep the state apart.
         State      first   = begun(state);
         const bool arrived = take_fast_path(first);
         std::swap(state, first);
         if (arrived)
-          show_or_take_back(state, first, observer);
+          end_increment(state, {first, counted}, estimate, observer);
         else if (stage.is_test())
           show_start(state, observer);
       }
     while (state.load < 1)
       {
-        const State before = state;
-        take_increment(state, estimate);
-        show_or_take_back(state, before, observer);
+        const Before before{state, statistics};
+        take_increment(state);
+        end_increment(state, before, estimate, observer);
       }
     statistics.converged = true;
   }
@@ -220,23 +221,23 @@ namespace fiberloom
 
 
   void
-  StageRun::take_increment(State &state, const Estimate &estimate)
+  StageRun::end_increment(State                   &state,
+                          const Before            &before,
+                          const Estimate          &estimate,
+                          const IncrementObserver &observer)
   {
-    const State           before  = state;
-    const StageStatistics counted = statistics;
-    take_increment(state);
-    if (!estimate || !stage.way() || state.load >= 1 ||
-        state.load != stage.way()->farthest())
-      return;
     try
       {
-        estimate(before, state);
+        if (estimate && stage.way() && state.load < 1 &&
+            state.load == stage.way()->farthest())
+          estimate(before.state, state);
+        show(state, observer);
       }
-    catch (const StopRequested &)
+    catch (...)
       {
-        // Not shown yet, it is done again.
-        state      = before;
-        statistics = counted;
+        // A run that goes on from there does it again, to show it.
+        state      = before.state;
+        statistics = before.statistics;
         throw;
       }
   }
@@ -490,25 +491,6 @@ namespace fiberloom
            system.stored_energy(seen, equilibrium.contacts())}};
       }
     report(seen, observer);
-  }
-
-
-
-  void
-  StageRun::show_or_take_back(State                   &state,
-                              const State             &before,
-                              const IncrementObserver &observer)
-  {
-    try
-      {
-        show(state, observer);
-      }
-    catch (const StageFailure &)
-      {
-        // A run that goes on from there is to show it.
-        state = before;
-        throw;
-      }
   }
 
 

@@ -435,7 +435,7 @@ namespace fiberloom
         return 0;
       }
     // As if all moved along the step, like one spring.
-    return (step.move / largest_move - 1) * dot(gradient, step.solution) /
+    return (step.move / largest_move - 1) * -step.slope /
            dot(step.solution, step.solution) / system.stiffness_scale();
   }
 

@@ -131,8 +131,9 @@ namespace fiberloom
     if (scene.fibers.cell)
       return cell_curve(state, reactions);
     // Of the bars of the frame, by the power of all bodies.
-    const double c            = std::cos(.5 * angle_at(state.load)),
-                 s            = std::sin(.5 * angle_at(state.load));
+    const double c = std::cos(.5 * angle_at(state.load)),
+                 s = std::sin(.5 * angle_at(state.load));
+
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double           moment = 0, left = infinity, right = -infinity;
     for (unsigned int b = 0; b < reactions.size(); ++b)

@@ -290,8 +290,8 @@ namespace fiberloom
     copy_warp_to_fill(ParameterCatalogue &catalogue) const;
   };
 
-  /** Throws InputError, from @p where on, when a model would have too many,
-   * before anything of this size is built. */
+  /** Throws InputError, with the place @p where , if @p nodes are more than
+   * Parameters::most_nodes , before anything of this size is built. */
   void
   check_number_of_nodes(const double nodes, const std::string &where);
 } // namespace fiberloom

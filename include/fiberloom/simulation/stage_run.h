@@ -101,6 +101,13 @@ namespace fiberloom
     }
 
   private:
+    /** Where an increment begins. */
+    struct Before
+    {
+      State           state;
+      StageStatistics statistics;
+    };
+
     /** @p state at the start of the stage. */
     State
     begun(const State &state) const;
@@ -120,11 +127,16 @@ namespace fiberloom
     take_increment(State &state);
 
     /**
-     * Takes an increment and, where it leads to the farthest point, calls
-     * @p estimate .
+     * Ends the increment that has led from @p before to @p state : calls @p
+     * estimate where it is the farthest point of a way that turns, and shows
+     * the increment to @p observer . Where that throws, @p state and
+     * statistics are set back to what they were.
      */
     void
-    take_increment(State &state, const Estimate &estimate);
+    end_increment(State                   &state,
+                  const Before            &before,
+                  const Estimate          &estimate,
+                  const IncrementObserver &observer);
 
     /** Lets a way that ends a leg at @p state go on as from its start, and
      * keeps the energies there. */
@@ -165,16 +177,6 @@ namespace fiberloom
 
     void
     show(const State &state, const IncrementObserver &observer);
-
-    /**
-     * Shows @p state to @p observer . Where that throws StageFailure, @p state
-     * is set back to what it was @p before , so that a run that goes on from
-     * there shows it.
-     */
-    void
-    show_or_take_back(State                   &state,
-                      const State             &before,
-                      const IncrementObserver &observer);
 
     /** Hands @p state and its row of the curve to @p observer . */
     void
