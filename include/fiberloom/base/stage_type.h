@@ -154,8 +154,9 @@ namespace fiberloom
   stage_type(const std::string &name);
 
   /**
-   * Whether the type @p name is one @p that adds a matrix, or whatever else is
-   * asked; false for an unknown name, as a file of another version may have.
+   * Whether the type @p name has the property @p that , such as
+   * &StageType::adds_matrix; false for an unknown name, as a file of another
+   * version may have.
    */
   bool
   is_stage(const std::string &name, bool StageType::*that);
