@@ -465,7 +465,7 @@ namespace
         for (unsigned int z = 0; z < state.zones.size(); ++z)
           {
             const ContactZone &a = model.state.zones.at(z), &b = state.zones[z];
-            difference += std::abs(a.stiffness - b.stiffness) +
+            difference += (a.stiffness != b.stiffness) +
                           (a.fibers != b.fibers) + (a.range != b.range) +
                           (a.crossing != b.crossing) + (a.side != b.side) +
                           (a.divided != b.divided);

@@ -6,6 +6,7 @@
 
 #include <fiberloom/contact/contact_generator.h>
 #include <fiberloom/contact/contact_law.h>
+#include <fiberloom/contact/proximity_zones.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -14,7 +15,9 @@
 #include <cmath>
 #include <fstream>
 #include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "checks.h"
 #include "contact_model.h"
@@ -153,9 +156,9 @@ namespace
     };
     model.generate();
     checks.equal("stiffness of half an element at first, over E r",
-                 5 * model.state.zones[0].stiffness,
+                 5 * model.state.zones[0].stiffness.at(0).second,
                  model.parameters.initial_stiffness);
-    model.state.zones[0].stiffness = 7;
+    model.state.zones[0].stiffness.at(0).second = 7;
     lift_middle(4);
     auto contacts = model.generate();
     checks.equal("zones after a split", model.state.zones.size(), 2);
@@ -164,13 +167,75 @@ namespace
       wrong = std::max(wrong, std::abs(contact.stiffness - 7));
     checks.below("each inherits the stiffness", wrong, 1e-12);
 
-    model.state.zones[0].stiffness = 9;
+    model.state.zones[0].stiffness.at(0).second = 9;
     lift_middle(0);
-    contacts = model.generate();
-    checks.equal("zones after the merge", model.state.zones.size(), 1);
-    checks.equal("the larger stiffness stays", contacts[3].stiffness, 9);
-    contacts = model.generate();
-    checks.equal("and stays", contacts[3].stiffness, 9);
+    for (const std::string &when : {"after the merge", "once more"})
+      {
+        contacts = model.generate();
+        checks.equal("zones " + when, model.state.zones.size(), 1);
+        const auto &parts = model.state.zones[0].stiffness;
+        checks.equal("parts of its stiffness " + when, parts.size(), 2);
+        const double n = model.mesh.lines()[0].n_elements;
+        checks.below("between the two " + when,
+                     std::abs(parts[0].first - n / 2),
+                     1 / model.parameters.stations_per_element);
+        wrong = 0;
+        for (const ContactElement &contact : contacts)
+          wrong = std::max(wrong,
+                           std::abs(contact.stiffness -
+                                    (contact.u[0] < parts[0].first ? 9 : 7)));
+        checks.equal("stations keep theirs " + when, wrong, 0);
+      }
+  }
+
+  /** Parts of predecessors that overlap, touch, lie apart or within others. */
+  void
+  check_inherited_parts(Checks &checks)
+  {
+    const auto zone = [](const std::array<double, 2>                  &range,
+                         const std::vector<std::pair<double, double>> &parts) {
+      ContactZone zone;
+      zone.fibers    = {{0, 1}};
+      zone.range     = {{range, range}};
+      zone.stiffness = parts;
+      return zone;
+    };
+    const std::vector<ContactZone> zones{zone({{0, 4}}, {{2, 5}, {4, 6}}),
+                                         zone({{7, 11}}, {{11, 7}}),
+                                         zone({{8, 9}}, {{9, 8}}),
+                                         zone({{10, 14}}, {{14, 9}})};
+    const auto inherited = [&](const std::array<double, 2> &range,
+                               const double                 shift) {
+      std::array<double, 2> there = range;
+      for (double &u : there)
+        u += shift;
+      return inherited_stiffness(
+        find_predecessors(zones, {{0, 1}}, {{there, there}}), range, .5, shift);
+    };
+    using Parts = std::vector<std::pair<double, double>>;
+    const std::vector<std::tuple<std::string, std::array<double, 2>, Parts>>
+      cases{{"all", {{0, 14}}, {{2, 5}, {5.5, 6}, {10.5, 7}, {14, 9}}},
+            {"a longer zone", {{0, 6}}, {{2, 5}, {6, 6}}},
+            {"a shorter zone", {{2.5, 3.5}}, {{3.5, 6}}},
+            {"two of them", {{3, 8}}, {{5.5, 6}, {8, 7}}},
+            {"a point", {{1, 1}}, {{1, 5}}},
+            {"next to one", {{4.2, 5}}, {{5, 6}}}};
+    for (const auto &[name, range, parts] : cases)
+      for (const double shift : {0, 3})
+        {
+          auto moved = range;
+          auto ends  = parts;
+          for (double &u : moved)
+            u -= shift;
+          for (auto &part : ends)
+            part.first -= shift;
+          checks.that("parts inherited by " + name + ", shifted by " +
+                        std::to_string(int(shift)),
+                      inherited(moved, shift) == ends);
+        }
+    checks.that("no predecessor",
+                find_predecessors(zones, {{0, 1}}, {{{{20, 21}}, {{20, 21}}}})
+                  .all.empty());
   }
 
   /** Reversible slip goes to the station nearby, on its new tangent plane. */
@@ -220,5 +285,6 @@ main(int argc, char **argv)
   check_stations_stay(checks);
   check_increment(checks);
   check_inheritance(checks);
+  check_inherited_parts(checks);
   check_history(checks);
 }

@@ -45,7 +45,7 @@ namespace
     state.contact.zones.resize(1);
     state.contact.zones[0].fibers    = {{4, 9}};
     state.contact.zones[0].range     = {{{{.1, .2}}, {{.3, .4}}}};
-    state.contact.zones[0].stiffness = 1e5 / 3;
+    state.contact.zones[0].stiffness = {{.15, 1e5 / 3}, {.2, 1e4}};
     state.contact.zones[0].side      = -1;
     state.contact.history.push_back({{{4, 9}}, {{.15, .35}}, {1e-9, 2, -3}});
     state.stage       = 1;

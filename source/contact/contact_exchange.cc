@@ -49,15 +49,14 @@ namespace fiberloom
       return all;
     }
 
-    /** A zone without its list. */
+    /** A zone without its lists. */
     struct PlainZone
     {
       std::array<unsigned int, 2>          fibers;
       std::array<std::array<double, 2>, 2> range;
       bool                                 crossing;
       int                                  side;
-      double                               stiffness;
-      unsigned int                         n_divided;
+      unsigned int                         n_parts, n_divided;
     };
   } // namespace
 
@@ -82,6 +81,7 @@ namespace fiberloom
       return;
 
     std::vector<PlainZone>                    plain;
+    std::vector<std::pair<double, double>>    parts;
     std::vector<std::pair<int, unsigned int>> divided;
     for (const ContactZone &zone : zones)
       {
@@ -89,27 +89,30 @@ namespace fiberloom
                          zone.range,
                          zone.crossing,
                          zone.side,
-                         zone.stiffness,
+                         static_cast<unsigned int>(zone.stiffness.size()),
                          static_cast<unsigned int>(zone.divided.size())});
+        parts.insert(parts.end(), zone.stiffness.begin(), zone.stiffness.end());
         divided.insert(divided.end(), zone.divided.begin(), zone.divided.end());
       }
     const auto all_plain    = gather(comm, plain);
+    const auto all_parts    = gather(comm, parts);
     const auto all_divided  = gather(comm, divided);
     auto       all_contacts = gather(comm, contacts);
 
     zones.clear();
     zones.reserve(all_plain.values.size());
-    auto begin = all_divided.values.begin();
+    auto part = all_parts.values.begin();
+    auto cell = all_divided.values.begin();
     for (const PlainZone &zone : all_plain.values)
       {
-        const auto end = begin + zone.n_divided;
         zones.push_back({zone.fibers,
                          zone.range,
                          zone.crossing,
                          zone.side,
-                         zone.stiffness,
-                         {begin, end}});
-        begin = end;
+                         {part, part + zone.n_parts},
+                         {cell, cell + zone.n_divided}});
+        part += zone.n_parts;
+        cell += zone.n_divided;
       }
 
     unsigned int first_zone = 0, contact = 0;

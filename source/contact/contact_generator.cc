@@ -37,6 +37,15 @@ namespace fiberloom
       return pairs;
     }
 
+    double
+    largest_stiffness(const ContactZone &zone)
+    {
+      double largest = 0;
+      for (const auto &part : zone.stiffness)
+        largest = std::max(largest, part.second);
+      return largest;
+    }
+
     int
     sign(const double value)
     {
@@ -129,7 +138,8 @@ namespace fiberloom
     const double radius    = std::min(contact.radii[0], contact.radii[1]);
     contact.normal         = Vector3::Zero();
     contact.offset         = 0;
-    contact.stiffness      = of.stiffness;
+    contact.part           = of.part_at(u[0]);
+    contact.stiffness      = of.stiffness[contact.part].second;
     contact.length         = 0;
     contact.spread         = 0;
     contact.skewness       = {{1, 1}};
@@ -172,27 +182,40 @@ namespace fiberloom
   ContactGenerator::successor(ContactZone         zone,
                               const ContactState &before) const
   {
-    const auto        &pair = zone.fibers;
-    const ContactZone *predecessor =
-      find_predecessor(before.zones, pair, zone.range, zone.stiffness);
+    const auto  &pair  = zone.fibers;
+    int          shift = 0; // of the predecessors, in elements
+    Predecessors found = find_predecessors(before.zones, pair, zone.range);
     // What has slid over the cell's border is the zone of an image now.
-    for (int way = -1; cell.images() && !predecessor && way <= 1; way += 2)
+    for (int way = -1; cell.images() && found.all.empty() && way <= 1; way += 2)
       {
         auto moved = zone.range;
         for (unsigned int s = 0; s < 2; ++s)
           for (double &u : moved[s])
             u += way * int(mesh.lines()[pair[s]].period);
-        predecessor =
-          find_predecessor(before.zones, pair, moved, zone.stiffness);
+        shift = way * int(mesh.lines()[pair[0]].period);
+        found = find_predecessors(before.zones, pair, moved);
       }
-    if (predecessor != nullptr)
-      {
-        zone.crossing = predecessor->crossing;
-        zone.side     = predecessor->side;
-        zone.divided  = predecessor->divided;
-      }
+    if (found.longest == nullptr)
+      zone.stiffness = {{zone.range[0][1], initial_stiffness(zone)}};
     else
-      zone.stiffness = initial_stiffness(zone);
+      {
+        zone.crossing        = found.longest->crossing;
+        zone.side            = found.longest->side;
+        const double spacing = 1. / parameters.stations_per_element;
+        zone.stiffness =
+          inherited_stiffness(found, zone.range[0], spacing, shift);
+        for (const ContactZone *of : found.all)
+          for (const auto &[k, parts] : of->divided)
+            zone.divided.emplace_back(k - int(std::lround(shift / spacing)),
+                                      parts);
+        // Of cells that two of them have, the first.
+        std::sort(zone.divided.begin(),
+                  zone.divided.end(),
+                  [](const auto &a, const auto &b) {
+                    return std::make_pair(a.first, b.second) <
+                           std::make_pair(b.first, a.second);
+                  });
+      }
     if (const int order = superimposition(fibers, pair[0], pair[1]))
       zone.side = order;
     return zone;
@@ -325,6 +348,8 @@ namespace fiberloom
         ContactZone zone = successor(found, before);
         zone.crossing =
           zone.crossing ? kind.crosses_still() : kind.crosses_now();
+        if (zone.crossing)
+          zone.stiffness = {{found.range[0][1], largest_stiffness(zone)}};
         state.zones.push_back(zone);
         const unsigned int index = state.zones.size() - 1;
 
@@ -480,7 +505,8 @@ namespace fiberloom
   {
     for (ContactElement &contact : contacts)
       {
-        contact.stiffness = state.zones[contact.zone].stiffness;
+        contact.stiffness =
+          state.zones[contact.zone].stiffness[contact.part].second;
         if (contact.following != ContactElement::Points::fixed)
           {
             normal_energy(contact, mesh, q);

@@ -133,7 +133,10 @@ namespace fiberloom
       {
         const auto         was = std::lower_bound(divided_before.begin(),
                                           divided_before.end(),
-                                          std::make_pair(k, 0u));
+                                          k,
+                                          [](const auto &cell, const int k) {
+                                            return cell.first < k;
+                                          });
         const unsigned int parts =
           stations_in_cell(proximity,
                            (k + .5) * cell,

@@ -4,6 +4,7 @@
 #include <fiberloom/contact/proximity_zones.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace fiberloom
@@ -127,11 +128,10 @@ namespace fiberloom
 
 
 
-  const ContactZone *
-  find_predecessor(const std::vector<ContactZone>             &zones,
-                   const std::array<unsigned int, 2>          &fibers,
-                   const std::array<std::array<double, 2>, 2> &range,
-                   double                                     &stiffness)
+  Predecessors
+  find_predecessors(const std::vector<ContactZone>             &zones,
+                    const std::array<unsigned int, 2>          &fibers,
+                    const std::array<std::array<double, 2>, 2> &range)
   {
     // A part may be a point: a crossing that moves keeps its zone.
     constexpr double slack = .25;
@@ -143,8 +143,8 @@ namespace fiberloom
                        [](const ContactZone &zone, const auto &pair) {
                          return zone.fibers < pair;
                        });
-    const ContactZone *predecessor = nullptr;
-    double             longest     = 0;
+    Predecessors found;
+    double       longest = 0;
     for (auto zone = first; zone != zones.end() && zone->fibers == fibers;
          ++zone)
       {
@@ -155,13 +155,53 @@ namespace fiberloom
                               std::max(range[s][0], zone->range[s][0]) + slack);
         if (shared <= 0)
           continue;
-        stiffness = std::max(stiffness, zone->stiffness);
+        found.all.push_back(&*zone);
         if (shared > longest)
           {
-            longest     = shared;
-            predecessor = &*zone;
+            longest       = shared;
+            found.longest = &*zone;
           }
       }
-    return predecessor;
+    return found;
+  }
+
+
+
+  std::vector<std::pair<double, double>>
+  inherited_stiffness(const Predecessors          &before,
+                      const std::array<double, 2> &range,
+                      const double                 cell,
+                      const double                 shift)
+  {
+    std::vector<std::pair<double, double>> found;
+    double                                 border = range[0];
+    for (const ContactZone *zone : before.all)
+      {
+        double begin = zone->range[0][0] - shift;
+        for (const auto &[end_before, stiffness] : zone->stiffness)
+          {
+            const double end     = std::min(end_before - shift, range[1]);
+            const double covered = found.empty() ? border : found.back().first;
+            if (end > covered && begin < range[1])
+              {
+                if (found.empty() || found.back().second != stiffness)
+                  {
+                    if (!found.empty())
+                      border = found.back().first =
+                        std::max(border,
+                                 cell *
+                                   std::round(.5 * (covered + begin) / cell));
+                    found.emplace_back(end, stiffness);
+                  }
+                found.back().first = end;
+              }
+            begin = end;
+          }
+      }
+    if (found.empty()) // a point, or next to all of them
+      found.push_back(
+        before.longest->stiffness[before.longest->part_at(range[0] + shift)]);
+    found.back().first = range[1];
+    return found;
   }
 } // namespace fiberloom

@@ -96,7 +96,7 @@ namespace fiberloom
       checkpoint_magic.size() + 3 * sizeof(std::uint64_t);
 
     // to be raised with every change of what is serialised
-    constexpr std::uint64_t checkpoint_version = 10;
+    constexpr std::uint64_t checkpoint_version = 11;
 
     // Two million nodes take a twentieth.
     constexpr std::uintmax_t most_bytes = 20000000000;

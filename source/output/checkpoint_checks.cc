@@ -96,8 +96,15 @@ namespace fiberloom
     {
       for (const ContactZone &zone : zones)
         {
-          bool good = std::abs(zone.side) <= 1 &&
-                      is_within(zone.stiffness, 0, largest_number);
+          bool good = std::abs(zone.side) <= 1 && !zone.stiffness.empty() &&
+                      std::is_sorted(zone.stiffness.begin(),
+                                     zone.stiffness.end(),
+                                     [](const auto &a, const auto &b) {
+                                       return a.first < b.first;
+                                     });
+          for (const auto &[end, stiffness] : zone.stiffness)
+            good = good && is_within(end, 0, largest_number) &&
+                   is_within(stiffness, 0, largest_number);
           for (unsigned int end = 0; end < 2; ++end)
             good =
               good && is_on_fibers(zone.fibers,

@@ -84,7 +84,11 @@ namespace fiberloom
           for (unsigned int s = 0; s < 2; ++s)
             for (double &u : zone.range[s])
               u *= ratio(zone.fibers[s]);
-          zone.stiffness *= refinement.stiffness;
+          for (auto &[end, stiffness] : zone.stiffness)
+            {
+              end *= ratio(zone.fibers[0]);
+              stiffness *= refinement.stiffness;
+            }
           if (refinement.stations != 1)
             zone.divided.clear();
         }

@@ -101,19 +101,27 @@ namespace fiberloom
   {
     if (parameters.line_stiffness > 0)
       return false;
-    const double        target = parameters.largest_penetration;
-    std::vector<double> depths(zones.size(), 0.);
+    const double              target = parameters.largest_penetration;
+    std::vector<unsigned int> first(zones.size() + 1, 0); // part of each zone
+    for (unsigned int z = 0; z < zones.size(); ++z)
+      first[z + 1] = first[z] + zones[z].stiffness.size();
+    std::vector<double> depths(first.back(), 0.);
     for (const ContactElement &contact : contacts)
       if (!is_imposed(contact))
-        depths[contact.zone] = std::max(depths[contact.zone], depth(contact));
+        {
+          double &deepest = depths[first[contact.zone] + contact.part];
+          deepest         = std::max(deepest, depth(contact));
+        }
 
     bool changed = false;
     for (unsigned int z = 0; z < zones.size(); ++z)
-      if (stiffening * depths[z] > target)
-        {
-          zones[z].stiffness *= stiffening * depths[z] / target;
-          changed = true;
-        }
+      for (unsigned int part = 0; part < zones[z].stiffness.size(); ++part)
+        if (const double deepest = depths[first[z] + part];
+            stiffening * deepest > target)
+          {
+            zones[z].stiffness[part].second *= stiffening * deepest / target;
+            changed = true;
+          }
     return changed;
   }
 

@@ -22,6 +22,7 @@ namespace fiberloom
   {
     // who
     unsigned int                zone; // index into ContactState::zones
+    unsigned int                part; // index into the zone's stiffness
     std::array<unsigned int, 2> fibers;
     std::array<ElementPoint, 2> points;
     std::array<unsigned int, 2> first_nodes;

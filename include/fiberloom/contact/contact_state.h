@@ -23,12 +23,24 @@ namespace fiberloom
   {
     std::array<unsigned int, 2> fibers;
     std::array<std::array<double, 2>, 2>
-           range;             // parameters u, begin and end, on each fiber
-    bool   crossing  = false; // one station at the mutual closest point
-    int    side      = 0;     // crossing: sign of normal . (t_first x t_second)
-    double stiffness = 0;     // line penalty [N/mm^2]
+         range;            // parameters u, begin and end, on each fiber
+    bool crossing = false; // one station at the mutual closest point
+    int  side     = 0;     // crossing: sign of normal . (t_first x t_second)
+    std::vector<std::pair<double, double>>
+      stiffness; // line penalty [N/mm^2]: up to which u on the first fiber, and
+                 // how much; sorted, the last also beyond its end
     std::vector<std::pair<int, unsigned int>>
       divided; // parallel: cells of several stations, and how many; sorted
+
+    /** The entry of the stiffness that holds at @p u on the first fiber. */
+    unsigned int
+    part_at(const double u) const
+    {
+      unsigned int part = 0;
+      while (part + 1 < stiffness.size() && u >= stiffness[part].first)
+        ++part;
+      return part;
+    }
 
     template <class Archive>
     void

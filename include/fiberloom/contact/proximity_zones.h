@@ -49,17 +49,34 @@ namespace fiberloom
                        const CandidateIterator end,
                        const double            margin);
 
+  /** The zones that a zone has come from. */
+  struct Predecessors
+  {
+    std::vector<const ContactZone *> all; // along the first fiber
+    const ContactZone *longest = nullptr; // shares the longest part
+  };
+
   /**
-   * The zone of @p zones (sorted by fibers) of the same two fibers that shares
-   * the longest part with @p range , or null. @p stiffness receives the
-   * largest stiffness of all that share a part, so that zones may split and
-   * merge without a change of the contacts' stiffness.
+   * Those of @p zones (sorted by fibers and range) of the same two fibers that
+   * share a part with @p range .
    */
-  const ContactZone *
-  find_predecessor(const std::vector<ContactZone>             &zones,
-                   const std::array<unsigned int, 2>          &fibers,
-                   const std::array<std::array<double, 2>, 2> &range,
-                   double                                     &stiffness);
+  Predecessors
+  find_predecessors(const std::vector<ContactZone>             &zones,
+                    const std::array<unsigned int, 2>          &fibers,
+                    const std::array<std::array<double, 2>, 2> &range);
+
+  /**
+   * What a zone with this @p range on the first fiber inherits, so that zones
+   * may split and merge without a change of any contact's stiffness: that of
+   * its predecessors, each on its own part. Between two of them it changes at a
+   * multiple of @p cell , the length of the part of a station. On predecessors,
+   * u is larger by @p shift .
+   */
+  std::vector<std::pair<double, double>>
+  inherited_stiffness(const Predecessors          &before,
+                      const std::array<double, 2> &range,
+                      const double                 cell,
+                      const double                 shift);
 } // namespace fiberloom
 
 #endif
