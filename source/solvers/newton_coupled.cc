@@ -49,7 +49,8 @@ namespace fiberloom
       {
         const auto kept   = increment.all_contacts();
         double     factor = longest(step);
-        for (; factor >= shortest; factor *= longest_cut)
+        // What is cut further creeps, where the energy finds a way.
+        for (; factor >= longest_cut; factor *= longest_cut)
           {
             CoupledStep there;
             there.state    = state;
