@@ -168,7 +168,15 @@ namespace
     checks.below("each inherits the stiffness", wrong, 1e-12);
 
     model.state.zones[0].stiffness.at(0).second = 9;
+    const std::vector<std::pair<int, unsigned int>> divided{{0, 4}, {7, 2}};
+    for (unsigned int z = 0; z < 2; ++z)
+      model.state.zones[z].divided = {divided[z]};
+    const DofVector apart = model.q;
     lift_middle(0);
+    ContactState merged = model.state;
+    model.generator.generate(model.q, apart, standard, merged);
+    checks.that("divided cells of both after the merge",
+                merged.zones.at(0).divided == divided);
     for (const std::string &when : {"after the merge", "once more"})
       {
         contacts = model.generate();

@@ -208,7 +208,8 @@ namespace fiberloom
           for (const auto &[k, parts] : of->divided)
             zone.divided.emplace_back(k - int(std::lround(shift / spacing)),
                                       parts);
-        // Of cells that two of them have, the first.
+        // The first counts of cells that two of them have: the one with more
+        // stations.
         std::sort(zone.divided.begin(),
                   zone.divided.end(),
                   [](const auto &a, const auto &b) {

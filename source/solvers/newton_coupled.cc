@@ -49,7 +49,7 @@ namespace fiberloom
       {
         const auto kept   = increment.all_contacts();
         double     factor = longest(step);
-        // What is cut further creeps, where the energy finds a way.
+        // Shorter steps only creep; one that the energy judges gets past.
         for (; factor >= longest_cut; factor *= longest_cut)
           {
             CoupledStep there;
